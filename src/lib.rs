@@ -1,0 +1,40 @@
+//! Turnwright: from a dragged dimension of a turned part to a proved NC program on the lathe.
+//!
+//! The way of an edit: `Document` → [`regen`] → `Derived` → window, files, NC text → [`proof`] → [`transfer`].
+//!
+//! Modules, from the top down; nothing points up:
+//!
+//! | module | duty |
+//! |---|---|
+//! | `app` | the window; the only place that knows egui (feature `gui`) |
+//! | `cli` | the headless commands |
+//! | [`session`], [`worker`] | document, undo history, newest `Derived`; the thread that makes it |
+//! | [`storage`] | documents, recovery, imports, exports |
+//! | [`transfer`] | links, protocols and the virtual lathe |
+//! | [`regen`] | document to everything derived, in stages |
+//! | [`proof`] | the second opinion: program readers, stock removal, findings, times |
+//! | [`post`] | cutter location data to program text |
+//! | [`turning`] | generators: set-up to cutter location data |
+//! | [`document`] | what is edited and saved |
+//! | [`part`] | section table to exact profile, checks |
+//! | [`machine`] | machines, tools and materials as data |
+//! | [`geometry`] | points, line and arc segments, contours |
+//! | [`diagnostic`], [`units`], [`cancel`] | messages, units, cancelling |
+//!
+//! Spaces and units: mm and radians inside; degrees and the document's unit at the edges. Part space has `z` along the
+//! spindle, growing away from the chuck, and `r` as a radius. The proof shares nothing with generators and posts but
+//! geometry, machine data and the shape of the data.
+
+pub mod cancel;
+pub mod diagnostic;
+pub mod document;
+pub mod geometry;
+pub mod machine;
+pub mod part;
+pub mod post;
+pub mod proof;
+pub mod regen;
+pub mod storage;
+pub mod transfer;
+pub mod turning;
+pub mod units;

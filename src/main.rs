@@ -1,0 +1,3 @@
+//! The `turnwright` command: the window, or a headless command.
+
+fn main() {}

@@ -1,0 +1,120 @@
+//! The exact profile of a part: one curve after another along the spindle.
+
+use crate::geometry::{Contour, Point, Segment};
+
+/// A curve of a profile, exact. Parabolas keep their form until a program needs lines or arcs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Curve {
+    /// A line or an arc.
+    Segment(Segment),
+    /// A parabola through two ends.
+    Parabola(Parabola),
+}
+
+/// A parabola `v = a·u² + b·u + c` between two points, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parabola {
+    /// First point.
+    pub start: Point,
+    /// Last point.
+    pub end: Point,
+    /// Which coordinate is the quadratic one.
+    pub axis: ParabolaAxis,
+    /// Coefficients a, b, c.
+    pub coefficients: [f64; 3],
+    /// Chords that the published generator cuts it with, over its whole row.
+    pub chords: u32,
+}
+
+/// Direction of a parabola's axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ParabolaAxis {
+    /// Axis parallel to the spindle: z is a quadratic of r.
+    AlongZ,
+    /// Axis square to the spindle: r is a quadratic of z.
+    AlongX,
+}
+
+/// One piece of the profile, with the row it comes from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Piece {
+    /// The curve, from smaller to larger z (a face: in the order of travel along the profile).
+    pub curve: Curve,
+    /// Row that the piece belongs to; a face belongs to the row on its far side from the clamped end.
+    pub section: u32,
+    /// What the piece is.
+    pub role: PieceRole,
+}
+
+/// What a piece of the profile is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum PieceRole {
+    /// The surface of a section.
+    Surface,
+    /// The outside cylinder of a thread, before the thread is cut.
+    Thread,
+    /// A face between sections of different diameter.
+    Face,
+    /// Stands in for a row that is missing or impossible.
+    Filler,
+}
+
+/// The outside of one set-up's part, from the clamped end (smallest z) to the free end, in part space, mm.
+///
+/// The pieces are connected: each starts where the one before ends. Nowhere does z decrease along the profile.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Profile {
+    /// The pieces in order of z.
+    pub pieces: Vec<Piece>,
+}
+
+/// An outside thread to be cut on a profile, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ThreadSpec {
+    /// Row of the thread.
+    pub section: u32,
+    /// End towards the clamped end.
+    pub z1: f64,
+    /// End towards the free end.
+    pub z2: f64,
+    /// Outside radius.
+    pub outside_radius: f64,
+    /// Base (root) radius.
+    pub base_radius: f64,
+    /// Pitch per turn.
+    pub pitch: f64,
+}
+
+/// A contour with the row behind every segment.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PartContour {
+    /// Lines and arcs from the clamped end to the free end.
+    pub contour: Contour,
+    /// Row id of each segment, as many as segments.
+    pub sections: Vec<u32>,
+}
+
+/// One clamping of the part: what is machined while it is held, in the space of that set-up (free end at the largest z), mm.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Setup {
+    /// Suffix of file names: empty with one end, `A` and `B` with two.
+    pub suffix: String,
+    /// The whole finished outside.
+    pub profile: Profile,
+    /// Threads cut in this set-up.
+    pub threads: Vec<ThreadSpec>,
+    /// What is machined in this set-up: z from here to `length`.
+    pub machined_from_z: f64,
+    /// Length of the finished part.
+    pub length: f64,
+    /// Radius of the bar.
+    pub bar_radius: f64,
+    /// Closed outline of the material before this set-up, counter-clockwise, axis included.
+    pub stock: Contour,
+    /// Position of the chuck's face; the jaws lie to its left.
+    pub chuck_face_z: f64,
+    /// Width to be parted off at the clamped end, if any.
+    pub part_off_width: Option<f64>,
+    /// True if z runs against the document's positions (second end): document position = length − z.
+    pub turned_round: bool,
+}

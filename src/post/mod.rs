@@ -1,0 +1,51 @@
+//! Posts: from cutter location data to the text that a control reads.
+
+use crate::turning::OperationKind;
+
+/// A program for a control, ready to be sent or saved.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Program {
+    /// Name without extension: `QUEEN1`.
+    pub name: String,
+    /// File extension without the dot: `cnc`.
+    pub extension: String,
+    /// The text with the control's own characters.
+    pub text: String,
+    /// Every block of the text in order.
+    pub blocks: Vec<BlockInfo>,
+}
+
+/// What a block of a program is for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct BlockInfo {
+    /// One line for people: `PTP X -0.800 Z 0.000 F 80 T1 S1262`.
+    pub summary: String,
+    /// Operation that the block belongs to; `None` for start and end.
+    pub operation: Option<OperationKind>,
+    /// First line of the block in the text, from 1.
+    pub line: usize,
+    /// Number of lines.
+    pub lines: usize,
+}
+
+/// A file that a post writes beside the programs, such as the instructions before assembly.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SideFile {
+    /// File name with extension: `QUEEN1.anc`.
+    pub name: String,
+    /// Its text.
+    pub text: String,
+    /// Instructions in it.
+    pub instructions: usize,
+}
+
+/// What a post makes of one set-up.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PostOutput {
+    /// Programs in the order of cutting.
+    pub programs: Vec<Program>,
+    /// Files for people and other programs.
+    pub side_files: Vec<SideFile>,
+    /// What the post has to say.
+    pub diagnostics: Vec<crate::diagnostic::Diagnostic>,
+}

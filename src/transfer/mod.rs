@@ -1,0 +1,1 @@
+//! Programs over the wire: links, protocols, the virtual lathe.

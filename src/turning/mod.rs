@@ -1,0 +1,5 @@
+//! Generators and planners: from a set-up of a part to cutter location data.
+
+mod cutter_path;
+
+pub use cutter_path::{CutMove, CutterPath, Operation, OperationKind};
