@@ -19,7 +19,7 @@
 //! | [`part`] | section table to exact profile, checks |
 //! | [`machine`] | machines, tools and materials as data |
 //! | [`geometry`] | points, line and arc segments, contours |
-//! | [`diagnostic`], [`units`], [`cancel`] | messages, units, cancelling |
+//! | [`diagnostic`], [`units`], [`cancel`], [`textfile`] | messages, units, cancelling, reading text |
 //!
 //! Spaces and units: mm and radians inside; degrees and the document's unit at the edges. Part space has `z` along the
 //! spindle, growing away from the chuck, and `r` as a radius. The proof shares nothing with generators and posts but
@@ -35,6 +35,7 @@ pub mod post;
 pub mod proof;
 pub mod regen;
 pub mod storage;
+pub mod textfile;
 pub mod transfer;
 pub mod turning;
 pub mod units;

@@ -1,10 +1,15 @@
 //! Machines, tools and materials: data from files, never code.
 
+mod catalog;
+mod check;
+mod file;
 mod material;
+mod outline;
 mod tool;
 
 use crate::geometry::Contour;
 pub use material::Material;
+pub use outline::outlines;
 use serde::{Deserialize, Serialize};
 pub use tool::{Hand, Tool, ToolShape};
 
