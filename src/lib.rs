@@ -25,6 +25,8 @@
 //! spindle, growing away from the chuck, and `r` as a radius. The proof shares nothing with generators and posts but
 //! geometry, machine data and the shape of the data.
 
+#[cfg(feature = "gui")]
+pub mod app;
 pub mod cancel;
 pub mod diagnostic;
 pub mod document;

@@ -1,0 +1,19 @@
+//! Plots of a turned part: profile, cut, solid, thumbnails.
+//!
+//! Plots take data in and give events out. They know neither the session nor the transfer and never edit a document.
+
+mod canvas;
+mod coordinates;
+mod cut;
+mod lines;
+mod palette;
+mod profile;
+mod regions;
+#[cfg(test)]
+mod sample;
+
+pub use canvas::CanvasView;
+pub use coordinates::{Coordinates, fixed};
+pub use cut::{BlockRef, CutEvent, CutScene, CutView, clock, cut_plot};
+pub use palette::{LeftoverClass, Palette};
+pub use profile::{Dimension, End, NodeMove, Phase, ProfileEvent, ProfileScene, ProfileView, SectionEnd, profile_plot};

@@ -1,0 +1,105 @@
+//! What is drawn under the handles: stock, chuck, part, threads, centre line.
+
+use super::ProfileScene;
+use crate::app::plots::canvas::Screen;
+use crate::app::plots::lines::{CENTRE_LINE, DASHED, dashed, thinned};
+use crate::app::plots::palette::Palette;
+use crate::app::plots::regions::{Triangles, mirrored};
+use crate::geometry::{Bounds, Point};
+use crate::machine::Chuck;
+use crate::part::Setup;
+use egui::{Painter, Rect, Shape, Stroke};
+
+/// Width of the part's edge, points.
+const EDGE: f32 = 1.8;
+/// Share of the part's length that the chuck takes in a fitted view.
+const CHUCK_SHOWN: f64 = 0.12;
+
+/// What a fitted view shows: the part, its stock in front of the chuck and a little of the chuck.
+pub(super) fn bounds(scene: &ProfileScene<'_>, full_section: bool) -> Bounds {
+    shown_bounds(&scene.derived.setup, full_section)
+}
+
+/// What a fitted view of `setup` shows; with the lower half or without.
+pub(in crate::app::plots) fn shown_bounds(setup: &Setup, full_section: bool) -> Bounds {
+    let radius = setup.bar_radius.max(setup.length * 0.02);
+    let from = setup.chuck_face_z.min(0.0) - CHUCK_SHOWN * setup.length;
+    let below = if full_section { -1.12 * radius } else { -0.1 * radius };
+    Bounds { min: Point::new(from, below), max: Point::new(setup.length * 1.04, 1.12 * radius) }
+}
+
+/// Draws everything that cannot be taken hold of.
+pub(super) fn scenery(painter: &Painter, screen: &Screen, scene: &ProfileScene<'_>, full_section: bool) {
+    let setup = &scene.derived.setup;
+    stock(painter, screen, setup, scene.palette, full_section);
+    part(painter, screen, scene, full_section);
+    threads(painter, screen, setup, scene.palette, full_section);
+    if let Some(machine) = scene.machine {
+        chuck(painter, screen, setup.chuck_face_z, &machine.chuck, scene.palette);
+    }
+    centre_line(painter, screen, scene.palette);
+}
+
+fn stock(painter: &Painter, screen: &Screen, setup: &Setup, palette: &Palette, full_section: bool) {
+    let outline = setup.stock.polyline(screen.tolerance());
+    let region = Triangles::of(std::slice::from_ref(&outline));
+    region.fill(painter, screen, palette.stock);
+    let edge = Stroke::new(1.0, palette.stock_edge);
+    dashed(painter, &on_screen(screen, &outline), DASHED, edge);
+    if full_section {
+        region.fill_mirrored(painter, screen, palette.stock);
+        let below: Vec<Point> = outline.iter().copied().map(mirrored).collect();
+        dashed(painter, &on_screen(screen, &below), DASHED, edge);
+    }
+}
+
+fn part(painter: &Painter, screen: &Screen, scene: &ProfileScene<'_>, full_section: bool) {
+    let palette = scene.palette;
+    let line = scene.derived.contour.contour.polyline(screen.tolerance());
+    let region = Triangles::under(&line);
+    let closed = with_ends_on_axis(&line);
+    if full_section {
+        region.fill_mirrored(painter, screen, palette.part_mirror);
+        let below: Vec<Point> = closed.iter().copied().map(mirrored).collect();
+        painter.add(Shape::line(on_screen(screen, &below), Stroke::new(1.0, palette.edge_mirror)));
+    }
+    region.fill(painter, screen, palette.part);
+    painter.add(Shape::line(on_screen(screen, &closed), Stroke::new(EDGE, palette.edge)));
+}
+
+/// The line with both ends led down to the spindle axis.
+pub(in crate::app::plots) fn with_ends_on_axis(line: &[Point]) -> Vec<Point> {
+    let foot = |p: Option<&Point>| p.map(|p| Point::new(p.z, 0.0));
+    foot(line.first()).into_iter().chain(line.iter().copied()).chain(foot(line.last())).collect()
+}
+
+fn threads(painter: &Painter, screen: &Screen, setup: &Setup, palette: &Palette, full_section: bool) {
+    for thread in &setup.threads {
+        let root = [Point::new(thread.z1, thread.base_radius), Point::new(thread.z2, thread.base_radius)];
+        painter.line_segment(root.map(|p| screen.pos(p)), Stroke::new(1.0, palette.edge));
+        if full_section {
+            let below = root.map(|p| screen.pos(mirrored(p)));
+            painter.line_segment(below, Stroke::new(1.0, palette.edge_mirror));
+        }
+    }
+}
+
+/// Draws the jaws of a chuck whose face is at `face_z`.
+pub(in crate::app::plots) fn chuck(painter: &Painter, screen: &Screen, face_z: f64, chuck: &Chuck, palette: &Palette) {
+    let (r, back) = (chuck.radius_mm, face_z - chuck.depth_mm);
+    let rect = Rect::from_two_pos(screen.pos(Point::new(back, r)), screen.pos(Point::new(face_z, -r)));
+    painter.rect(rect, 0.0, palette.steel, Stroke::new(1.0, palette.steel_edge), egui::StrokeKind::Middle);
+}
+
+/// Draws the spindle axis across the canvas.
+pub(in crate::app::plots) fn centre_line(painter: &Painter, screen: &Screen, palette: &Palette) {
+    let y = painter.round_to_pixel_center(screen.pos(Point::default()).y);
+    let clip = painter.clip_rect();
+    let line = [egui::pos2(clip.left(), y), egui::pos2(clip.right(), y)];
+    dashed(painter, &line, CENTRE_LINE, Stroke::new(1.0, palette.construction));
+}
+
+/// Points on the screen, thinned.
+pub(in crate::app::plots) fn on_screen(screen: &Screen, points: &[Point]) -> Vec<egui::Pos2> {
+    thinned(points.iter().map(|&p| screen.pos(p)))
+}

@@ -1,0 +1,142 @@
+//! Nodes of a profile: ends of sections that lie at the same place are one node.
+
+use crate::document::TurnedPart;
+use crate::part::{Section, SectionKind};
+
+/// Ends closer than this coincide, in the document's unit: far below the last decimal shown.
+const SAME: f64 = 1e-6;
+
+/// Which end of a section.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum End {
+    /// `z1` and `d1`, towards the clamped end.
+    Start,
+    /// `z2` and `d2`, towards the free end. Of a thread `z2` and `d1`: both ends have the outside diameter.
+    Finish,
+}
+
+/// One end of one row of the section table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct SectionEnd {
+    /// Row id.
+    pub section: u32,
+    /// Which end.
+    pub end: End,
+}
+
+/// A move of a node to a position, in the document's unit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct NodeMove {
+    /// Ends that lie at the node and go with it in z and diameter: one, or both neighbours of a shared node.
+    pub ends: Vec<SectionEnd>,
+    /// Ends across a face, at the same z but another diameter: they go with it in z only, so that no gap opens.
+    pub follow_z: Vec<SectionEnd>,
+    /// New position along the spindle.
+    pub z: f64,
+    /// New diameter.
+    pub diameter: f64,
+}
+
+impl NodeMove {
+    /// Writes the new position into the rows of `part`. Rows that are gone are passed over.
+    pub fn apply(&self, part: &mut TurnedPart) {
+        for section in &mut part.sections {
+            for end in [End::Start, End::Finish] {
+                let this = SectionEnd { section: section.id, end };
+                let moves = self.ends.contains(&this);
+                if moves || self.follow_z.contains(&this) {
+                    *z_of(section, end) = self.z;
+                }
+                if moves {
+                    *diameter_of(section, end) = self.diameter;
+                }
+            }
+        }
+    }
+}
+
+fn z_of(section: &mut Section, end: End) -> &mut f64 {
+    match end {
+        End::Start => &mut section.z1,
+        End::Finish => &mut section.z2,
+    }
+}
+
+fn diameter_of(section: &mut Section, end: End) -> &mut f64 {
+    match (end, &section.kind) {
+        (End::Start, _) | (_, SectionKind::Thread { .. }) => &mut section.d1,
+        (End::Finish, _) => &mut section.d2,
+    }
+}
+
+/// All nodes of a part, each as a move to where it is, in the order of the table.
+pub(super) fn nodes(part: &TurnedPart) -> Vec<NodeMove> {
+    let mut nodes: Vec<NodeMove> = Vec::new();
+    for section in &part.sections {
+        for (end, z, diameter) in ends_of(section) {
+            let this = SectionEnd { section: section.id, end };
+            match nodes.iter_mut().find(|n| near(n.z, z) && near(n.diameter, diameter)) {
+                Some(node) => node.ends.push(this),
+                None => nodes.push(NodeMove { ends: vec![this], follow_z: Vec::new(), z, diameter }),
+            }
+        }
+    }
+    let places: Vec<(f64, Vec<SectionEnd>)> = nodes.iter().map(|n| (n.z, n.ends.clone())).collect();
+    for node in &mut nodes {
+        let across_face = places.iter().filter(|(z, ends)| near(*z, node.z) && *ends != node.ends);
+        node.follow_z = across_face.flat_map(|(_, ends)| ends.iter().copied()).collect();
+    }
+    nodes
+}
+
+fn ends_of(section: &Section) -> [(End, f64, f64); 2] {
+    let far = if matches!(section.kind, SectionKind::Thread { .. }) { section.d1 } else { section.d2 };
+    [(End::Start, section.z1, section.d1), (End::Finish, section.z2, far)]
+}
+
+fn near(a: f64, b: f64) -> bool {
+    (a - b).abs() <= SAME
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::plots::sample;
+
+    fn at(section: u32, end: End) -> SectionEnd {
+        SectionEnd { section, end }
+    }
+
+    #[test]
+    fn ends_at_the_same_place_are_one_node() {
+        let part = sample::part(vec![Section::line(1, 0.0, 20.0, 10.0, 16.0), Section::line(2, 10.0, 16.0, 30.0, 8.0)]);
+        let nodes = nodes(&part);
+        assert_eq!(nodes.len(), 3);
+        assert_eq!(nodes[1].ends, vec![at(1, End::Finish), at(2, End::Start)]);
+        assert!(nodes[1].follow_z.is_empty());
+    }
+
+    #[test]
+    fn the_other_side_of_a_face_follows_in_z_only() {
+        let mut part =
+            sample::part(vec![Section::line(1, 0.0, 20.0, 10.0, 20.0), Section::line(2, 10.0, 16.0, 30.0, 8.0)]);
+        let mut node = nodes(&part).remove(1);
+        assert_eq!((node.ends.clone(), node.follow_z.clone()), (vec![at(1, End::Finish)], vec![at(2, End::Start)]));
+        (node.z, node.diameter) = (12.0, 22.0);
+        node.apply(&mut part);
+        assert_eq!((part.sections[0].z2, part.sections[0].d2), (12.0, 22.0));
+        assert_eq!((part.sections[1].z1, part.sections[1].d1), (12.0, 16.0));
+    }
+
+    #[test]
+    fn both_ends_of_a_thread_move_its_outside_diameter() {
+        let mut thread = Section::line(7, 5.0, 12.0, 20.0, 10.2);
+        thread.kind = SectionKind::Thread { pitch: 1.75 };
+        let mut part = sample::part(vec![thread]);
+        let mut node = nodes(&part).remove(1);
+        assert_eq!((node.z, node.diameter), (20.0, 12.0));
+        node.diameter = 11.0;
+        node.apply(&mut part);
+        assert_eq!((part.sections[0].d1, part.sections[0].d2), (11.0, 10.2));
+    }
+}

@@ -1,0 +1,102 @@
+//! Filled regions as meshes, and their triangulation.
+
+use super::canvas::Screen;
+use crate::geometry::Point;
+use egui::{Color32, Mesh, Painter};
+use i_triangle::float::triangulatable::Triangulatable;
+
+/// A region cut into triangles, in part space.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Triangles {
+    points: Vec<Point>,
+    indices: Vec<u32>,
+}
+
+impl Triangles {
+    /// The region inside `rings`: outer ones counter-clockwise, holes clockwise.
+    pub(super) fn of(rings: &[Vec<Point>]) -> Self {
+        let sound = |ring: &&Vec<Point>| ring.len() > 2 && ring.iter().all(|p| p.is_finite());
+        let shape: Vec<Vec<[f64; 2]>> =
+            rings.iter().filter(sound).map(|ring| ring.iter().map(|p| [p.z, p.r]).collect()).collect();
+        if shape.is_empty() {
+            return Self::default();
+        }
+        let found = shape.triangulate().to_triangulation::<u32>();
+        Self { points: found.points.iter().map(|&[z, r]| Point::new(z, r)).collect(), indices: found.indices }
+    }
+
+    /// The region between the spindle axis and a line along which z never decreases.
+    pub(super) fn under(line: &[Point]) -> Self {
+        let points: Vec<Point> = line.iter().flat_map(|&p| [Point::new(p.z, 0.0), p]).collect();
+        let strips = u32::try_from(line.len().saturating_sub(1)).unwrap_or(0);
+        let indices = (0..strips).flat_map(|k| [0, 1, 2, 2, 1, 3].map(|corner| 2 * k + corner)).collect();
+        Self { points, indices }
+    }
+
+    /// Fills the region.
+    pub(super) fn fill(&self, painter: &Painter, screen: &Screen, color: Color32) {
+        self.fill_with(painter, color, |p| screen.pos(p));
+    }
+
+    /// Fills the region mirrored at the spindle axis.
+    pub(super) fn fill_mirrored(&self, painter: &Painter, screen: &Screen, color: Color32) {
+        self.fill_with(painter, color, |p| screen.pos(mirrored(p)));
+    }
+
+    fn fill_with(&self, painter: &Painter, color: Color32, place: impl Fn(Point) -> egui::Pos2) {
+        if self.indices.is_empty() {
+            return;
+        }
+        let mut mesh = Mesh::default();
+        for &p in &self.points {
+            mesh.colored_vertex(place(p), color);
+        }
+        mesh.indices.clone_from(&self.indices);
+        painter.add(mesh);
+    }
+
+    /// Area, mm².
+    #[cfg(test)]
+    fn area(&self) -> f64 {
+        let corner = |k: usize| self.points[self.indices[k] as usize];
+        (0..self.indices.len() / 3)
+            .map(|t| {
+                let (a, b, c) = (corner(3 * t), corner(3 * t + 1), corner(3 * t + 2));
+                ((b - a).perp(&(c - a)) / 2.0).abs()
+            })
+            .sum()
+    }
+}
+
+/// The point mirrored at the spindle axis.
+pub(super) const fn mirrored(p: Point) -> Point {
+    Point::new(p.z, -p.r)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn ring(points: &[(f64, f64)]) -> Vec<Point> {
+        points.iter().map(|&(z, r)| Point::new(z, r)).collect()
+    }
+
+    #[test]
+    fn a_region_with_a_hole_keeps_its_area() {
+        let outer = ring(&[(0.0, 0.0), (10.0, 0.0), (10.0, 10.0), (0.0, 10.0)]);
+        let hole = ring(&[(2.0, 2.0), (2.0, 4.0), (4.0, 4.0), (4.0, 2.0)]);
+        assert!((Triangles::of(&[outer, hole]).area() - 96.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn a_concave_line_is_filled_down_to_the_axis() {
+        let line = ring(&[(0.0, 5.0), (4.0, 1.0), (4.0, 3.0), (10.0, 3.0)]);
+        assert!((Triangles::under(&line).area() - (12.0 + 18.0)).abs() < 1e-9);
+    }
+
+    #[test]
+    fn rings_that_are_no_region_are_left_out() {
+        assert_eq!(Triangles::of(&[ring(&[(0.0, 0.0), (1.0, 1.0)])]), Triangles::default());
+        assert_eq!(Triangles::of(&[ring(&[(0.0, 0.0), (f64::NAN, 1.0), (3.0, 3.0)])]), Triangles::default());
+    }
+}
