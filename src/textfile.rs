@@ -60,7 +60,7 @@ pub fn line_and_column(text: &str, offset: usize) -> (usize, usize) {
 
 fn not_utf8(path: &Path, bytes: &[u8], valid: usize) -> Diagnostic {
     let before = bytes.get(..valid).unwrap_or_default();
-    let line = 1 + before.iter().filter(|&&b| b == b'\n').count();
+    let line = before.split(|&b| b == b'\n').count();
     let byte = bytes.get(valid).copied().unwrap_or_default();
     let message = format!("Byte 0x{byte:02X} at offset {valid} is not UTF-8 text.");
     Diagnostic::error("not-utf8", line_place(&path.display().to_string(), line, None), message)

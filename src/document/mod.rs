@@ -1,7 +1,10 @@
 //! What a user edits and saves: plain data, in the unit the user chose, and nothing derived from it.
 
+mod row;
+
 use crate::part::Section;
 use crate::units::Unit;
+use row::{EndsRow, ParabolaCutRow};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -66,7 +69,7 @@ pub struct TurnedPart {
 
 /// How many ends of the part are machined.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(tag = "count", rename_all = "snake_case")]
+#[serde(try_from = "EndsRow", into = "EndsRow")]
 pub enum Ends {
     /// The free end only.
     #[default]
@@ -74,7 +77,6 @@ pub enum Ends {
     /// The free end first, then the part is turned round.
     Two {
         /// Position that divides the ends; found by the program when absent.
-        #[serde(default, skip_serializing_if = "Option::is_none")]
         split: Option<f64>,
     },
 }
@@ -96,7 +98,7 @@ pub enum Generator {
 
 /// How a parabola becomes lines or arcs in a program.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
-#[serde(tag = "as", rename_all = "snake_case")]
+#[serde(try_from = "ParabolaCutRow", into = "ParabolaCutRow")]
 pub enum ParabolaCut {
     /// The number of chords in the row, as published.
     #[default]

@@ -264,7 +264,9 @@ mod tests {
             matches!(&diagnostic.at, Place::Line { line: l, file, .. } if *l == line && file.ends_with("bad.toml")),
             "{diagnostic}"
         );
-        words.iter().for_each(|w| assert!(diagnostic.message.contains(w), "{w}: {diagnostic}"));
+        for word in words {
+            assert!(diagnostic.message.contains(word), "{word}: {diagnostic}");
+        }
         assert_eq!(catalog, Catalog::shipped());
     }
 

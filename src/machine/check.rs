@@ -27,6 +27,10 @@ const NOSE_MM: RangeInclusive<f64> = 0.001..=50.0;
 const STATIONS: RangeInclusive<u32> = 1..=99;
 /// Speeds of a serial line, bits per second.
 const BAUD: RangeInclusive<u32> = 50..=4_000_000;
+/// Blocks that hold a start, one move and an end.
+const FEWEST_BLOCKS: usize = 8;
+/// The finest step that a slide can make is near this, in either unit.
+const DEPTH: RangeInclusive<f64> = 0.0001..=100.0;
 
 #[derive(Default)]
 struct Check(Vec<Fault>);
@@ -91,8 +95,6 @@ fn limits(check: &mut Check, limits: &Limits) {
     check.ordered("limits.arc_radius_min_mm", limits.arc_radius_min_mm, limits.arc_radius_max_mm, "mm");
     check.ordered("limits.pitch_min_mm", limits.pitch_min_mm, limits.pitch_max_mm, "mm");
     check.ordered("limits.feed_min_mm_per_min", limits.feed_min_mm_per_min, limits.feed_max_mm_per_min, "mm/min");
-    /// Blocks that hold a start, one move and an end.
-    const FEWEST_BLOCKS: usize = 8;
     if limits.blocks_per_program < FEWEST_BLOCKS {
         let message = format!("The value is {}; it must be at least {FEWEST_BLOCKS}.", limits.blocks_per_program);
         check.fault("limits.blocks_per_program", message);
@@ -234,8 +236,6 @@ pub(super) fn material(material: &Material) -> Vec<Fault> {
     ] {
         check.range(path, feed, FEED, &format!("{unit}/min"));
     }
-    /// The finest step that a slide can make is near this, in either unit.
-    const DEPTH: RangeInclusive<f64> = 0.0001..=100.0;
     for (path, depth) in [
         ("depth_rough", material.depth_rough),
         ("depth_finish", material.depth_finish),

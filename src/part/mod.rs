@@ -3,6 +3,7 @@
 mod profile;
 mod reach;
 mod section;
+mod section_row;
 
 pub use profile::{Curve, Parabola, ParabolaAxis, PartContour, Piece, PieceRole, Profile, Setup, ThreadSpec};
 pub use reach::UnreachableArea;

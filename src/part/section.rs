@@ -1,11 +1,13 @@
 //! One row of the section table.
 
+use super::section_row::SectionRow;
 use serde::{Deserialize, Serialize};
 
 /// One section of a turned part, between two positions along the spindle.
 ///
 /// Positions count from the clamped end. Lengths are in the unit of the document that holds the row.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "SectionRow", into = "SectionRow")]
 pub struct Section {
     /// Stable id; a row keeps it while it is edited and moved.
     pub id: u32,
@@ -18,13 +20,11 @@ pub struct Section {
     /// Diameter at the second position; of a thread its base (root) diameter.
     pub d2: f64,
     /// What lies between the two positions.
-    #[serde(flatten)]
     pub kind: SectionKind,
 }
 
 /// The six section types of the turned-part table.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "type", rename_all = "snake_case")]
+#[derive(Debug, Clone, PartialEq)]
 pub enum SectionKind {
     /// A straight line: cylinder or taper.
     Line,

@@ -1,1 +1,11 @@
 //! Documents on disk, recovery files, imports and exports.
+
+mod atomic;
+mod check;
+mod document;
+mod examples;
+mod locate;
+
+pub use atomic::replace_file;
+pub use document::{document_from_text, document_to_text, open_document, save_document};
+pub use examples::{Example, examples};
