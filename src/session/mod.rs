@@ -1,0 +1,337 @@
+//! One open document: its undo history, what follows from it, what is selected, and whether it is saved.
+
+mod history;
+
+use crate::diagnostic::{Diagnostic, Place, Severity};
+use crate::document::{Content, Document, TurnedPart};
+use crate::proof::{Finding, FindingKind, ProofReport};
+use crate::regen::{Derived, SetupDerived};
+use crate::worker::{Outcome, Regenerate, Worker};
+pub use history::{GestureId, History};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// What is selected, and what the pointer is on, everywhere in the window at once.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Selection {
+    /// Row of the section table, by id.
+    pub section: Option<u32>,
+    /// Row under the pointer, in the table or in a plot.
+    pub hovered: Option<u32>,
+    /// Clamping shown, by index.
+    pub setup: usize,
+    /// Program shown, by index among the programs of the clamping.
+    pub program: usize,
+    /// Block of that program, from 1.
+    pub block: Option<usize>,
+}
+
+/// Where the document stands against its file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SaveState {
+    /// Never saved.
+    New,
+    /// The file holds this very document.
+    Saved,
+    /// Edited since.
+    Edited,
+}
+
+/// What the proofs of all clampings say together.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Verdict {
+    /// Regenerating, or not started.
+    Pending,
+    /// No program could be made.
+    NoProgram,
+    /// Every proof passed.
+    Proved {
+        /// Machining time of all programs, s.
+        time_s: f64,
+        /// Blocks of all programs.
+        blocks: usize,
+    },
+    /// At least one finding or diagnostic is an error.
+    Failed {
+        /// How many errors.
+        errors: usize,
+    },
+}
+
+/// One open document.
+pub struct Session {
+    document: Arc<Document>,
+    history: History,
+    gestures: u64,
+    saved: Option<Arc<Document>>,
+    path: Option<PathBuf>,
+    edited_at: Option<Instant>,
+    worker: Worker,
+    derived: Option<Arc<Derived>>,
+    took: Duration,
+    fault: Option<(Arc<Document>, String)>,
+    problems: Arc<Vec<Diagnostic>>,
+    /// What is selected.
+    pub selection: Selection,
+}
+
+impl Session {
+    /// Opens `document`, which came from `path` if it has a file of its own, and starts to regenerate it. `make` makes
+    /// the work of the thread, `notify` is called from the thread after every outcome.
+    #[must_use]
+    pub fn new(
+        document: Document,
+        path: Option<PathBuf>,
+        make: impl Fn() -> Regenerate + Send + 'static,
+        notify: impl Fn() + Send + 'static,
+    ) -> Self {
+        let document = Arc::new(document);
+        let worker = Worker::start(make, notify);
+        worker.post(Arc::clone(&document));
+        Self {
+            saved: path.is_some().then(|| Arc::clone(&document)),
+            document,
+            history: History::default(),
+            gestures: 0,
+            path,
+            edited_at: None,
+            worker,
+            derived: None,
+            took: Duration::ZERO,
+            fault: None,
+            problems: Arc::default(),
+            selection: Selection::default(),
+        }
+    }
+
+    /// The document as it is now.
+    #[must_use]
+    pub const fn document(&self) -> &Arc<Document> {
+        &self.document
+    }
+
+    /// The turned part in the document.
+    #[must_use]
+    pub fn part(&self) -> &TurnedPart {
+        let Content::TurnedPart(part) = &self.document.content;
+        part
+    }
+
+    /// A gesture that no edit has used yet.
+    pub fn new_gesture(&mut self) -> GestureId {
+        self.gestures += 1;
+        GestureId(self.gestures)
+    }
+
+    /// Changes the document. An edit that changes nothing leaves no trace; edits of one gesture are one step of undo.
+    pub fn edit(&mut self, label: &str, gesture: Option<GestureId>, change: impl FnOnce(&mut Document)) {
+        let mut edited = (*self.document).clone();
+        change(&mut edited);
+        if edited == *self.document {
+            return;
+        }
+        let before = std::mem::replace(&mut self.document, Arc::new(edited));
+        self.history.push(label, gesture, before);
+        self.changed();
+    }
+
+    /// Changes the part; see [`Self::edit`].
+    pub fn edit_part(&mut self, label: &str, gesture: Option<GestureId>, change: impl FnOnce(&mut TurnedPart)) {
+        self.edit(label, gesture, |document| {
+            let Content::TurnedPart(part) = &mut document.content;
+            change(part);
+        });
+    }
+
+    /// Takes back the last step.
+    pub fn undo(&mut self) {
+        if let Some(before) = self.history.undo(Arc::clone(&self.document)) {
+            self.document = before;
+            self.changed();
+        }
+    }
+
+    /// Does again what was undone last.
+    pub fn redo(&mut self) {
+        if let Some(after) = self.history.redo(Arc::clone(&self.document)) {
+            self.document = after;
+            self.changed();
+        }
+    }
+
+    /// The steps that can be undone and done again.
+    #[must_use]
+    pub const fn history(&self) -> &History {
+        &self.history
+    }
+
+    fn changed(&mut self) {
+        self.edited_at.get_or_insert_with(Instant::now);
+        self.worker.post(Arc::clone(&self.document));
+        if self.selection.section.is_some_and(|id| !self.part().sections.iter().any(|s| s.id == id)) {
+            self.selection.section = None;
+        }
+    }
+
+    /// Takes what the thread has made since the last call; true if something came.
+    pub fn receive(&mut self) -> bool {
+        let outcomes: Vec<Outcome> = self.worker.outcomes().collect();
+        let some = !outcomes.is_empty();
+        for outcome in outcomes {
+            match outcome {
+                Outcome::Done { derived, took } => {
+                    self.fault = None;
+                    self.took = took;
+                    self.derived = Some(derived);
+                }
+                Outcome::Fault { document, message } => self.fault = Some((document, message)),
+            }
+        }
+        if some {
+            self.problems = Arc::new(self.collect_problems());
+            self.keep_selection_in_range();
+        }
+        some
+    }
+
+    fn keep_selection_in_range(&mut self) {
+        let Some(derived) = &self.derived else { return };
+        self.selection.setup = self.selection.setup.min(derived.setups.len().saturating_sub(1));
+        let programs = derived.setups.get(self.selection.setup).map_or(0, |s| s.programs.len());
+        self.selection.program = self.selection.program.min(programs.saturating_sub(1));
+    }
+
+    /// Everything that followed from the newest document that was regenerated.
+    #[must_use]
+    pub const fn derived(&self) -> Option<&Arc<Derived>> {
+        self.derived.as_ref()
+    }
+
+    /// The clamping that is shown.
+    #[must_use]
+    pub fn setup(&self) -> Option<&SetupDerived> {
+        self.derived.as_ref()?.setups.get(self.selection.setup)
+    }
+
+    /// True if [`Self::derived`] belongs to the document as it is now.
+    #[must_use]
+    pub fn is_current(&self) -> bool {
+        self.derived.as_ref().is_some_and(|d| Arc::ptr_eq(&d.document, &self.document))
+    }
+
+    /// How long the last regeneration took.
+    #[must_use]
+    pub const fn took(&self) -> Duration {
+        self.took
+    }
+
+    /// All that is to be said about the document and its programs, worst first.
+    #[must_use]
+    pub const fn problems(&self) -> &Arc<Vec<Diagnostic>> {
+        &self.problems
+    }
+
+    fn collect_problems(&self) -> Vec<Diagnostic> {
+        let mut all: Vec<Diagnostic> = Vec::new();
+        if let Some((_, message)) = &self.fault {
+            let text = format!("The program stopped while it worked on this document: {message}.");
+            let hint = "Undo the last edit. The document is safe and can be saved.";
+            all.push(Diagnostic::error("regeneration-fault", Place::Document, text).with_hint(hint));
+        }
+        if let Some(derived) = &self.derived {
+            all.extend(derived.diagnostics.iter().cloned());
+            all.extend(derived.setups.iter().flat_map(|s| s.proof.findings.iter().map(as_diagnostic)));
+        }
+        all.sort_by_key(|d| std::cmp::Reverse(d.severity));
+        all
+    }
+
+    /// What the proofs say of the document as it is now.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        let (Some(derived), true) = (&self.derived, self.is_current()) else {
+            return if self.fault.is_some() { Verdict::Failed { errors: 1 } } else { Verdict::Pending };
+        };
+        let errors = self.problems.iter().filter(|d| d.severity == Severity::Error).count();
+        if errors > 0 {
+            return Verdict::Failed { errors };
+        }
+        let proofs = || derived.setups.iter().map(|s| s.proof.as_ref());
+        let blocks = proofs().map(|p| p.blocks.len()).sum();
+        if blocks == 0 {
+            return Verdict::NoProgram;
+        }
+        if !proofs().all(|p: &ProofReport| p.passed) {
+            return Verdict::Failed { errors: 1 };
+        }
+        Verdict::Proved { time_s: proofs().map(|p| p.times.total_s).sum(), blocks }
+    }
+
+    /// The document's file.
+    #[must_use]
+    pub fn path(&self) -> Option<&Path> {
+        self.path.as_deref()
+    }
+
+    /// Notes that `document` is now in the file `path`.
+    pub fn set_saved(&mut self, path: PathBuf, document: Arc<Document>) {
+        self.path = Some(path);
+        self.saved = Some(document);
+    }
+
+    /// Where the document stands against its file.
+    #[must_use]
+    pub fn save_state(&self) -> SaveState {
+        match &self.saved {
+            Some(saved) if Arc::ptr_eq(saved, &self.document) || **saved == *self.document => SaveState::Saved,
+            Some(_) => SaveState::Edited,
+            None => SaveState::New,
+        }
+    }
+
+    /// True if closing would lose work: edited since it was opened or saved.
+    #[must_use]
+    pub fn has_unsaved_work(&self) -> bool {
+        match self.save_state() {
+            SaveState::Saved => false,
+            SaveState::Edited => true,
+            SaveState::New => self.history.undo_label().is_some(),
+        }
+    }
+
+    /// Time since the oldest edit that no recovery file holds yet.
+    #[must_use]
+    pub fn unrecovered_for(&self) -> Option<Duration> {
+        self.edited_at.map(|at| at.elapsed())
+    }
+
+    /// Notes that a recovery file holds the document as it is now.
+    pub const fn set_recovered(&mut self) {
+        self.edited_at = None;
+    }
+}
+
+fn as_diagnostic(finding: &Finding) -> Diagnostic {
+    let at = Place::Block { program: finding.program.clone(), block: finding.block };
+    Diagnostic::new(finding.severity, code_of(finding.kind), at, finding.message.clone())
+}
+
+/// Stable short name of a kind of finding.
+#[must_use]
+pub const fn code_of(kind: FindingKind) -> &'static str {
+    match kind {
+        FindingKind::Unreadable => "unreadable",
+        FindingKind::Gouge => "gouge",
+        FindingKind::RapidContact => "rapid-contact",
+        FindingKind::FlankCollision => "flank-collision",
+        FindingKind::HolderCollision => "holder-collision",
+        FindingKind::ChuckCollision => "chuck-collision",
+        FindingKind::Leftover => "leftover",
+        FindingKind::OverTravel => "over-travel",
+        FindingKind::OutsideLimits => "outside-limits",
+        FindingKind::NotClosed => "not-closed",
+        FindingKind::Control => "control",
+        FindingKind::Structure => "structure",
+    }
+}
