@@ -1,5 +1,8 @@
 //! Length units of documents and files. The core works in mm; inches exist at the edges only.
 
+mod length;
+
+pub use length::parse_length;
 use serde::{Deserialize, Serialize};
 
 /// Millimetres in one inch.
