@@ -1,5 +1,7 @@
 //! Posts: from cutter location data to the text that a control reads.
 
+pub mod orac;
+
 use crate::turning::OperationKind;
 
 /// A program for a control, ready to be sent or saved.

@@ -1,0 +1,120 @@
+//! From cutter location data to instructions. Numbers are rounded once, here.
+//!
+//! Positions are rounded to 0.001 mm in absolute terms and increments taken between rounded positions, so that the moves
+//! of a file add up to exactly zero.
+
+use super::instruction::{Instruction, Sense};
+use super::number::{rounded, thousandths};
+use crate::geometry::Point;
+use crate::turning::{CutMove, CutterPath, Operation};
+
+/// The instructions that every program begins with: incremental format, mm, and the datum.
+pub(super) fn start(path: &CutterPath) -> [Instruction; 3] {
+    let at = Place::of(path.datum, path.program_zero_z);
+    [Instruction::Inc, Instruction::Mm, Instruction::Pdat { x: at.x, z: at.z }]
+}
+
+/// The instructions of one operation, from the datum.
+pub(super) fn operation(path: &CutterPath, operation: &Operation) -> Vec<Instruction> {
+    let mut writer = Writer {
+        zero_z: path.program_zero_z,
+        at: Place::of(path.datum, path.program_zero_z),
+        tool: i32::try_from(operation.tool).unwrap_or(i32::MAX),
+        out: Vec::new(),
+    };
+    operation.moves.iter().for_each(|m| writer.cut_move(m));
+    writer.out
+}
+
+/// A position in thousandths of a mm, in program space.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Place {
+    x: i32,
+    z: i32,
+}
+
+impl Place {
+    fn of(p: Point, zero_z: f64) -> Self {
+        Self { x: thousandths(p.r), z: thousandths(p.z - zero_z) }
+    }
+
+    /// The increment from `from` to here.
+    const fn less(self, from: Self) -> Self {
+        Self { x: self.x.saturating_sub(from.x), z: self.z.saturating_sub(from.z) }
+    }
+}
+
+struct Writer {
+    zero_z: f64,
+    at: Place,
+    tool: i32,
+    out: Vec<Instruction>,
+}
+
+impl Writer {
+    /// Goes to `to` and returns the increment.
+    fn advance(&mut self, to: Point) -> Place {
+        let to = Place::of(to, self.zero_z);
+        let step = to.less(self.at);
+        self.at = to;
+        step
+    }
+
+    fn cut_move(&mut self, m: &CutMove) {
+        match *m {
+            CutMove::Line { to, feed_mm_per_min, rpm } => {
+                let Place { x, z } = self.advance(to);
+                self.point_to_point(x, z, feed_mm_per_min, rpm);
+            }
+            CutMove::Arc { to, center, ccw, feed_mm_per_min, rpm } => {
+                self.arc(to, to.distance(center), ccw, feed_mm_per_min, rpm);
+            }
+            CutMove::Thread { to_z, outside_radius, base_radius, pitch, depth_per_cut, rpm } => {
+                self.out.push(Instruction::Thrd {
+                    z: thousandths(to_z - self.zero_z).saturating_sub(self.at.z),
+                    outside_diameter: thousandths(2.0 * outside_radius),
+                    base_diameter: thousandths(2.0 * base_radius),
+                    pitch: thousandths(pitch),
+                    cut_depth: thousandths(depth_per_cut),
+                    tool: self.tool,
+                    rpm: rounded(rpm),
+                });
+            }
+            CutMove::Repeat { count, step: _, ref body } => self.repeat(count, body),
+        }
+    }
+
+    fn point_to_point(&mut self, x: i32, z: i32, feed: f64, rpm: f64) {
+        self.out.push(Instruction::Ptp { x, z, feed: rounded(feed), tool: self.tool, rpm: rounded(rpm) });
+    }
+
+    /// An arc; one that rounding leaves without length is a move of zero. The radius is never below half the chord.
+    fn arc(&mut self, to: Point, radius: f64, ccw: bool, feed: f64, rpm: f64) {
+        let Place { x, z } = self.advance(to);
+        if (x, z) == (0, 0) {
+            return self.point_to_point(x, z, feed, rpm);
+        }
+        let half_chord = rounded((f64::from(x).hypot(f64::from(z)) / 2.0).ceil());
+        self.out.push(Instruction::Circ {
+            x,
+            z,
+            radius: thousandths(radius).max(half_chord),
+            sense: if ccw { Sense::Ccw } else { Sense::Cw },
+            feed: rounded(feed),
+            tool: self.tool,
+            rpm: rounded(rpm),
+        });
+    }
+
+    /// A loop: its body is written once; the place after it follows from the rounded body, however often it is run.
+    fn repeat(&mut self, count: u32, body: &[CutMove]) {
+        let start = self.at;
+        let count = i32::try_from(count).unwrap_or(i32::MAX);
+        self.out.push(Instruction::Do { count });
+        body.iter().for_each(|m| self.cut_move(m));
+        self.out.push(Instruction::Edo);
+        let once = self.at.less(start);
+        let times = |step: i32, start: i32| start.saturating_add(step.saturating_mul(count));
+        self.at = Place { x: times(once.x, start.x), z: times(once.z, start.z) };
+    }
+}
