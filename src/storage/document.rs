@@ -107,7 +107,7 @@ fn check_version(file: &str, text: &str) -> Result<(), Diagnostic> {
 }
 
 fn unreadable(file: &str, text: &str, error: &serde_json::Error) -> Diagnostic {
-    let (line, column) = (error.line().max(1), error.column().max(1));
+    let (line, column) = place_of(text, error);
     let full = error.to_string();
     let reason = full.rsplit_once(" at line ").map_or(full.as_str(), |(reason, _)| reason);
     let at = line_place(file, line, Some(column));
@@ -118,6 +118,19 @@ fn unreadable(file: &str, text: &str, error: &serde_json::Error) -> Diagnostic {
     let message =
         format!("The document cannot be understood here: {reason}. The line reads `{}`.", excerpt(text, line));
     Diagnostic::error("document-unreadable", at, message)
+}
+
+/// Line and column of an error. One about a whole value is reported after the blanks behind it, even in a later line;
+/// it belongs to the line where the value ends.
+fn place_of(text: &str, error: &serde_json::Error) -> (usize, usize) {
+    let (line, column) = (error.line().max(1), error.column().max(1));
+    let lines: Vec<&str> = text.lines().take(line).collect();
+    let is_blank = |l: &&str| l.trim().is_empty();
+    if error.is_data() && lines.last().is_some_and(|l| is_blank(&l.get(..column).unwrap_or(l))) {
+        let earlier = lines.iter().take(line - 1).rposition(|l| !is_blank(l)).unwrap_or_default();
+        return (earlier + 1, lines.get(earlier).map_or(1, |l| l.trim_end().chars().count()));
+    }
+    (line, column)
 }
 
 /// The text of a line, shortened to what fits into a message.
