@@ -1,11 +1,25 @@
 //! The second opinion: reads emitted programs with its own readers, cuts the stock and reports what it finds.
 //!
 //! Shares nothing with the generators and posts but geometry, machine data and the shape of the data.
+//!
+//! The way of a program: [`reader`] (text to blocks) → `structure` (numbering, pairs) → `control` (runs the blocks as the
+//! control would) → `limits` (what the machine can do) and `record` (times, playback) → [`ProofReport`].
 
+mod control;
+mod findings;
 mod input;
+mod limits;
+mod prove;
+pub mod reader;
+mod record;
 mod report;
+mod structure;
 
 pub use input::{MayCut, ProofInput, Work};
+pub use prove::prove;
 pub use report::{
     BlockReport, Finding, FindingKind, Leftover, Motion, Move, ProgramText, ProofReport, StockState, Target, Times,
 };
+
+#[cfg(test)]
+mod tests;

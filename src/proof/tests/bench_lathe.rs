@@ -1,0 +1,101 @@
+//! A small lathe and a bar for the tests, with figures of their own.
+
+use super::super::{ProgramText, ProofInput};
+use super::*;
+use crate::cancel::Cancel;
+use crate::geometry::{Contour, Point};
+use crate::machine::{
+    Chuck, DatumRule, Dialect, FlowControl, Limits, Machine, Parity, SerialProfile, SpindleRule, ToolOutline,
+};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+pub(super) fn machine() -> Machine {
+    Machine {
+        id: "test".into(),
+        name: "Test lathe".into(),
+        dialect: Dialect::Orac,
+        limits: Limits {
+            bar_diameter_mm: 40.0,
+            travel_x_mm: 95.0,
+            travel_z_mm: 350.0,
+            taper_ratio: 20.0,
+            arc_radius_min_mm: 2.0,
+            arc_radius_max_mm: 3000.0,
+            arc_one_quadrant: true,
+            pitch_min_mm: 0.35,
+            pitch_max_mm: 3.5,
+            feed_min_mm_per_min: 30.0,
+            feed_max_mm_per_min: 1200.0,
+            spindle_max_rpm: 2000.0,
+            blocks_per_program: 99,
+        },
+        spindle: SpindleRule { at_center_rpm: 2000.0, per_mm_radius_rpm: 60.0, thread_feed_mm_per_min: 700.0 },
+        datum: DatumRule { radial_clearance_mm: 2.0, axial_clearance_mm: 20.0 },
+        chuck: Chuck { radius_mm: 30.0, depth_mm: 30.0, gap_mm: 10.0, grip_mm: 30.0, automatic_grip_mm: 50.0 },
+        rapid_feed_mm_per_min: 1000.0,
+        tool_change_s: 4.0,
+        tools: Vec::new(),
+        serial: SerialProfile {
+            baud: 2400,
+            data_bits: 7,
+            parity: Parity::Odd,
+            stop_bits: 1,
+            flow: FlowControl::None,
+            page_start: 2,
+            end: 4,
+        },
+    }
+}
+
+pub(super) fn polygon(points: &[(f64, f64)]) -> Contour {
+    Contour::polygon(&points.iter().map(|&(z, r)| Point::new(z, r)).collect::<Vec<_>>())
+}
+
+/// Sharp tools: 1 right-hand, 2 left-hand, 3 threading, 4 parting 3 mm wide; holders well above.
+pub(super) fn tools() -> BTreeMap<u32, ToolOutline> {
+    let right = ToolOutline {
+        insert: polygon(&[(0.0, 0.0), (5.0, 4.0), (5.5, 10.0), (0.5, 6.0)]),
+        holder: polygon(&[(0.5, 8.0), (12.0, 8.0), (12.0, 60.0), (0.5, 60.0)]),
+    };
+    let left = ToolOutline {
+        insert: polygon(&[(0.0, 0.0), (-0.5, 6.0), (-5.5, 10.0), (-5.0, 4.0)]),
+        holder: polygon(&[(-12.0, 8.0), (-0.5, 8.0), (-0.5, 60.0), (-12.0, 60.0)]),
+    };
+    let thread = ToolOutline {
+        insert: polygon(&[(0.0, 0.0), (2.886_75, 5.0), (-2.886_75, 5.0)]),
+        holder: polygon(&[(-6.0, 5.0), (6.0, 5.0), (6.0, 60.0), (-6.0, 60.0)]),
+    };
+    let parting = ToolOutline {
+        insert: polygon(&[(0.0, 0.0), (3.0, 0.0), (3.0, 20.0), (0.0, 20.0)]),
+        holder: polygon(&[(-1.0, 20.0), (8.0, 20.0), (8.0, 60.0), (-1.0, 60.0)]),
+    };
+    BTreeMap::from([(1, right), (2, left), (3, thread), (4, parting)])
+}
+
+pub(super) fn input_of(texts: &[&str]) -> ProofInput {
+    let program = |(i, text): (usize, &&str)| ProgramText {
+        name: format!("TEST{}", i + 1),
+        text: (*text).to_owned(),
+        edited: false,
+    };
+    ProofInput {
+        machine: Arc::new(machine()),
+        tools: Arc::new(tools()),
+        programs: Arc::new(texts.iter().enumerate().map(program).collect()),
+        work: None,
+    }
+}
+
+pub(super) fn prove_input(input: &ProofInput) -> ProofReport {
+    prove(input, &Cancel::default()).unwrap()
+}
+
+/// Proves lists of instructions without work.
+pub(super) fn prove_texts(texts: &[&str]) -> ProofReport {
+    prove_input(&input_of(texts))
+}
+
+pub(super) fn kinds(report: &ProofReport) -> Vec<(FindingKind, usize)> {
+    report.findings.iter().map(|f| (f.kind, f.block)).collect()
+}
