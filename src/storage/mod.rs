@@ -4,8 +4,10 @@ mod atomic;
 mod check;
 mod document;
 mod examples;
+mod folders;
 mod locate;
 
 pub use atomic::replace_file;
 pub use document::{document_from_text, document_to_text, open_document, save_document};
 pub use examples::{Example, examples};
+pub use folders::{config_folder, data_folder};
