@@ -1,0 +1,290 @@
+//! The thread of a transfer: drives the protocol machines, looks at the abort flag, tells what happens.
+
+use super::{Event, Outcome, Progress, Request, State, Task, Timing};
+use crate::cancel::Cancel;
+use crate::machine::SerialProfile;
+use crate::transfer::compare::{Blanks, compare};
+use crate::transfer::line::{self, DC1};
+use crate::transfer::log::{Direction, Gatherer, LogLine};
+use crate::transfer::orac::{ReceiveStep, Receiver, SendStep, Sender};
+use crate::transfer::pages;
+use crate::transfer::port_thread::{PortEvent, PortThread};
+use std::time::{Duration, Instant};
+
+/// Longest wait between two looks at the abort flag; an abort is promised within 200 ms.
+const LOOK: Duration = Duration::from_millis(20);
+
+/// Least time between two progress events, so that a fast port does not flood the window.
+const PROGRESS_EVERY: Duration = Duration::from_millis(50);
+
+/// After the last byte of a program the port is watched this long for a late failure, such as a pulled plug.
+const SETTLE: Duration = Duration::from_millis(100);
+
+type Tell<'a> = &'a dyn Fn(Event);
+
+/// Runs a transfer; the last event is its outcome.
+pub(super) fn run(request: Request, cancel: Cancel, tell: Tell<'_>) {
+    let outcome = match begin(request, cancel, tell) {
+        Ok(outcome) | Err(outcome) => outcome,
+    };
+    tell(Event::Done(outcome));
+}
+
+/// The early end of a transfer comes as the error.
+fn begin(request: Request, cancel: Cancel, tell: Tell<'_>) -> Result<Outcome, Outcome> {
+    let Request { task, port, profile, unpaced, ask_to_send, blanks, timing } = request;
+    line::check(&profile).map_err(Outcome::Failed)?;
+    let sender = match &task {
+        Task::Send { text, .. } => Some(
+            Sender::new(text, &profile, unpaced, timing.stuck)
+                .map_err(|refused| Outcome::Failed(refused.to_string()))?,
+        ),
+        Task::Receive | Task::Compare { .. } => None,
+    };
+    tell(Event::State(State::Opening));
+    let port = PortThread::start(port, profile.clone(), unpaced);
+    let mut worker = Worker {
+        port,
+        profile,
+        cancel,
+        timing,
+        ask_to_send,
+        blanks,
+        tell,
+        began: Instant::now(),
+        told_progress: None,
+        early: Vec::new(),
+        sent_log: Gatherer::new(Direction::Sent),
+        received_log: Gatherer::new(Direction::Received),
+    };
+    let result = worker.run(task, sender);
+    worker.finish_log();
+    if result == Err(Outcome::Aborted) {
+        worker.port.discard();
+    }
+    worker.port.close();
+    result
+}
+
+struct Worker<'a> {
+    port: PortThread,
+    profile: SerialProfile,
+    cancel: Cancel,
+    timing: Timing,
+    ask_to_send: bool,
+    blanks: Blanks,
+    tell: Tell<'a>,
+    began: Instant,
+    told_progress: Option<Duration>,
+    /// What came after the last byte had been sent and before receiving began.
+    early: Vec<u8>,
+    sent_log: Gatherer,
+    received_log: Gatherer,
+}
+
+impl Worker<'_> {
+    fn run(&mut self, task: Task, sender: Option<Sender>) -> Result<Outcome, Outcome> {
+        self.wait_until_open()?;
+        match (task, sender) {
+            (Task::Send { name, text, verify }, Some(sender)) => self.send(&name, &text, sender, verify),
+            (Task::Compare { sent } | Task::Send { text: sent, .. }, _) => self.receive_and_compare(&sent),
+            (Task::Receive, _) => {
+                let text = self.receive(None)?;
+                let problems = pages::problems(&text, self.profile.page_start);
+                Ok(Outcome::Received { text, problems })
+            }
+        }
+    }
+
+    fn wait_until_open(&mut self) -> Result<(), Outcome> {
+        loop {
+            if let Some(PortEvent::Opened(remarks)) = self.next(LOOK)? {
+                remarks.into_iter().for_each(|remark| self.note(remark));
+                return Ok(());
+            }
+        }
+    }
+
+    fn send(&mut self, name: &str, text: &str, mut sender: Sender, verify: bool) -> Result<Outcome, Outcome> {
+        (self.tell)(Event::State(State::Sending));
+        self.note(format!("Sending {name}: {} bytes, {} pages.", sender.bytes().1, sender.pages().1));
+        self.send_bytes(&mut sender)?;
+        self.wait_until_out()?;
+        self.progress(sending(&sender, self.now()), true);
+        if verify {
+            return self.receive_and_compare(text);
+        }
+        self.settle()?;
+        Ok(Outcome::SentNotVerified)
+    }
+
+    fn send_bytes(&mut self, sender: &mut Sender) -> Result<(), Outcome> {
+        let mut writing = false;
+        loop {
+            let now = self.now();
+            let wait = match sender.poll(now) {
+                SendStep::Failed(reason) => return Err(Outcome::Failed(reason)),
+                SendStep::Done => return Ok(()),
+                SendStep::Wait(time) => time.min(LOOK),
+                SendStep::Write(_) if writing => LOOK,
+                SendStep::Write(bytes) => {
+                    self.port.write(bytes.to_vec());
+                    writing = true;
+                    LOOK
+                }
+            };
+            match self.next(wait)? {
+                Some(PortEvent::Wrote(bytes)) => {
+                    writing = false;
+                    sender.written(bytes.len(), self.now());
+                    let lines = self.sent_log.add(&bytes, self.profile.end, self.now());
+                    self.log(lines);
+                    self.progress(sending(sender, self.now()), false);
+                }
+                Some(PortEvent::Read(bytes)) => {
+                    let lines = self.received_log.add(&bytes, self.profile.end, self.now());
+                    self.log(lines);
+                    sender.received(&bytes, self.now());
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// Waits until the driver has let go of the last byte.
+    fn wait_until_out(&mut self) -> Result<(), Outcome> {
+        let since = self.now();
+        self.port.ask_queued();
+        loop {
+            match self.next(LOOK)? {
+                Some(PortEvent::Queued(0)) => return Ok(()),
+                Some(PortEvent::Queued(_)) => self.port.ask_queued(),
+                Some(PortEvent::Read(bytes)) => self.early.extend(bytes),
+                _ => {}
+            }
+            if self.now().saturating_sub(since) >= self.timing.stuck {
+                return Err(Outcome::Failed(format!(
+                    "The port keeps the last bytes back for more than {} s. Check the cable and the flow control.",
+                    self.timing.stuck.as_secs_f64()
+                )));
+            }
+        }
+    }
+
+    fn settle(&mut self) -> Result<(), Outcome> {
+        let until = self.now() + SETTLE;
+        while self.now() < until {
+            self.next(LOOK)?;
+        }
+        Ok(())
+    }
+
+    fn receive_and_compare(&mut self, sent: &str) -> Result<Outcome, Outcome> {
+        let received = self.receive(Some(sent))?;
+        let differences = compare(sent, &received, self.profile.page_start, self.blanks);
+        Ok(if differences.is_empty() { Outcome::Verified } else { Outcome::Different(differences) })
+    }
+
+    fn receive(&mut self, expected: Option<&str>) -> Result<String, Outcome> {
+        (self.tell)(Event::State(State::WaitingForControl));
+        self.note(State::WaitingForControl.to_string());
+        let mut receiver = Receiver::new(&self.profile, self.timing.first, self.timing.idle);
+        let expected = expected.map(|text| (text.len(), pages::split(text, self.profile.page_start).pages.len()));
+        let mut asking = self.ask_to_send && self.early.is_empty();
+        let mut arrived = std::mem::take(&mut self.early);
+        loop {
+            self.take(&mut receiver, &arrived, expected);
+            match receiver.poll(self.now()) {
+                ReceiveStep::Done => return Ok(receiver.into_text()),
+                ReceiveStep::Failed(reason) => return Err(Outcome::Failed(reason)),
+                ReceiveStep::Wait => {}
+            }
+            if std::mem::take(&mut asking) {
+                self.port.write(vec![DC1]);
+            }
+            arrived = match self.next(LOOK)? {
+                Some(PortEvent::Read(bytes)) => bytes,
+                Some(PortEvent::Wrote(bytes)) => {
+                    asking = bytes.is_empty();
+                    Vec::new()
+                }
+                _ => Vec::new(),
+            };
+        }
+    }
+
+    fn take(&mut self, receiver: &mut Receiver, bytes: &[u8], expected: Option<(usize, usize)>) {
+        if bytes.is_empty() {
+            return;
+        }
+        let before = receiver.bytes();
+        receiver.received(bytes, self.now());
+        if before == 0 && receiver.bytes() > 0 {
+            (self.tell)(Event::State(State::Receiving));
+        }
+        let lines = self.received_log.add(bytes, self.profile.end, self.now());
+        self.log(lines);
+        self.progress(receiving(receiver, expected, &self.profile, self.now()), false);
+    }
+
+    /// The next event of the port, none within `wait`. Abort and failure come as errors.
+    fn next(&self, wait: Duration) -> Result<Option<PortEvent>, Outcome> {
+        if self.cancel.is_cancelled() {
+            return Err(Outcome::Aborted);
+        }
+        match self.port.next(wait) {
+            _ if self.cancel.is_cancelled() => Err(Outcome::Aborted),
+            Some(PortEvent::Failed(reason)) => Err(Outcome::Failed(reason)),
+            event => Ok(event),
+        }
+    }
+
+    fn now(&self) -> Duration {
+        self.began.elapsed()
+    }
+
+    fn note(&self, text: String) {
+        self.log([LogLine { at: self.now(), direction: Direction::Note, text }]);
+    }
+
+    fn log(&self, lines: impl IntoIterator<Item = LogLine>) {
+        lines.into_iter().for_each(|line| (self.tell)(Event::Log(line)));
+    }
+
+    fn finish_log(&mut self) {
+        let at = self.now();
+        let rest = [self.sent_log.finish(at), self.received_log.finish(at)];
+        self.log(rest.into_iter().flatten());
+    }
+
+    fn progress(&mut self, progress: Progress, at_once: bool) {
+        let due = self.told_progress.is_none_or(|told| progress.elapsed.saturating_sub(told) >= PROGRESS_EVERY);
+        if due || at_once {
+            self.told_progress = Some(progress.elapsed);
+            (self.tell)(Event::Progress(progress));
+        }
+    }
+}
+
+fn sending(sender: &Sender, now: Duration) -> Progress {
+    let ((bytes, bytes_total), (block, blocks_total)) = (sender.bytes(), sender.pages());
+    let eta = sender.time_left(now);
+    Progress { bytes, bytes_total: Some(bytes_total), block, blocks_total: Some(blocks_total), elapsed: now, eta }
+}
+
+fn receiving(
+    receiver: &Receiver,
+    expected: Option<(usize, usize)>,
+    profile: &SerialProfile,
+    now: Duration,
+) -> Progress {
+    let left = expected.map(|(bytes, _)| bytes.saturating_sub(receiver.bytes()));
+    Progress {
+        bytes: receiver.bytes(),
+        bytes_total: expected.map(|(bytes, _)| bytes),
+        block: receiver.pages(),
+        blocks_total: expected.map(|(_, blocks)| blocks),
+        elapsed: now,
+        eta: left.map(|left| line::character_time(profile) * u32::try_from(left).unwrap_or(u32::MAX)),
+    }
+}
