@@ -4,6 +4,7 @@
 //! Counter-clockwise (`ccw`) is seen with z to the right and r upwards.
 
 mod contour;
+mod nearest;
 mod point;
 mod segment;
 

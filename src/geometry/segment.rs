@@ -133,6 +133,13 @@ impl Segment {
         self.mapped(|p| p.mirrored_at_z(z), true)
     }
 
+    /// True if the direction from the centre of an arc to `p` lies within its sweep, ends included. True for a line.
+    pub(super) fn faces(&self, p: Point) -> bool {
+        let Self::Arc { start, center, ccw, .. } = *self else { return true };
+        let turn = angle_of(p - center) - angle_of(start - center);
+        (if ccw { turn } else { -turn }).rem_euclid(TAU) <= self.sweep().abs()
+    }
+
     fn mapped(&self, map: impl Fn(Point) -> Point, turns_over: bool) -> Self {
         match *self {
             Self::Line { start, end } => Self::Line { start: map(start), end: map(end) },

@@ -1,10 +1,23 @@
 //! Turned parts: the section table, its checks, and the exact profile made from it.
 
+mod biarc;
+mod crossing;
+mod curve;
+mod envelope;
+mod outside;
 mod profile;
 mod reach;
 mod section;
 mod section_row;
+mod setups;
+mod shape;
+mod split;
 
+#[cfg(test)]
+mod fixtures;
+
+pub use biarc::contour;
 pub use profile::{Curve, Parabola, ParabolaAxis, PartContour, Piece, PieceRole, Profile, Setup, ThreadSpec};
 pub use reach::UnreachableArea;
 pub use section::{Section, SectionKind};
+pub use setups::{PART_OFF_WIDTH_MM, setups};

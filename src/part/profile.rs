@@ -1,6 +1,6 @@
 //! The exact profile of a part: one curve after another along the spindle.
 
-use crate::geometry::{Contour, Point, Segment};
+use crate::geometry::{Bounds, Contour, Point, Segment};
 
 /// A curve of a profile, exact. Parabolas keep their form until a program needs lines or arcs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,6 +83,49 @@ pub struct ThreadSpec {
     pub base_radius: f64,
     /// Pitch per turn.
     pub pitch: f64,
+}
+
+impl Piece {
+    /// First point.
+    #[must_use]
+    pub const fn start(&self) -> Point {
+        self.curve.start()
+    }
+
+    /// Last point.
+    #[must_use]
+    pub const fn end(&self) -> Point {
+        self.curve.end()
+    }
+
+    /// The piece in the space of the other end of a part of `length` mm: mirrored, and run backwards.
+    #[must_use]
+    pub fn turned_round(&self, length: f64) -> Self {
+        Self { curve: self.curve.turned_round(length / 2.0), ..*self }
+    }
+}
+
+impl Profile {
+    /// Largest radius at position `z`, mm; `None` beyond both ends.
+    #[must_use]
+    pub fn radius_at(&self, z: f64) -> Option<f64> {
+        let first = self.pieces.partition_point(|piece| piece.end().z < z);
+        let here = self.pieces.iter().skip(first).take_while(|piece| piece.start().z <= z);
+        here.map(|piece| piece.curve.radius_at(z)).reduce(f64::max)
+    }
+
+    /// The smallest rectangle around the profile; `None` without pieces.
+    #[must_use]
+    pub fn bounds(&self) -> Option<Bounds> {
+        self.pieces.iter().map(|piece| piece.curve.bounds()).reduce(Bounds::union)
+    }
+
+    /// Points along the profile, start included, no chord further than `tolerance` mm from its curve.
+    #[must_use]
+    pub fn polyline(&self, tolerance: f64) -> Vec<Point> {
+        let first = self.pieces.first().map(Piece::start);
+        first.into_iter().chain(self.pieces.iter().flat_map(|piece| piece.curve.polyline_points(tolerance))).collect()
+    }
 }
 
 /// A contour with the row behind every segment.

@@ -1,0 +1,41 @@
+//! The published parts and the machine they were made for, for tests.
+
+use super::Section;
+use crate::document::{Content, Document, Ends, Generator, TurnedPart};
+use crate::machine::{Catalog, Machine};
+use std::collections::BTreeMap;
+
+pub(crate) fn orac() -> Machine {
+    Catalog::shipped().machine("orac").unwrap().clone()
+}
+
+/// A part of the given rows on a 26.2 mm bar, in mm.
+pub(crate) fn part(length: f64, sections: Vec<Section>) -> TurnedPart {
+    TurnedPart {
+        machine: "orac".to_owned(),
+        material: "ALUMINUM".to_owned(),
+        bar_diameter: 26.2,
+        length,
+        ends: Ends::One,
+        part_off: false,
+        automatic: false,
+        generator: Generator::default(),
+        form_tolerance: 0.05,
+        sections,
+        overrides: BTreeMap::new(),
+    }
+}
+
+pub(crate) fn queen() -> TurnedPart {
+    example(include_str!("../../assets/examples/queen.turn"))
+}
+
+pub(crate) fn master() -> TurnedPart {
+    example(include_str!("../../assets/examples/master.turn"))
+}
+
+fn example(text: &str) -> TurnedPart {
+    let document: Document = serde_json::from_str(text).unwrap();
+    let Content::TurnedPart(part) = document.content;
+    part
+}
