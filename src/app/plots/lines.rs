@@ -84,12 +84,6 @@ pub(super) fn dashed(painter: &Painter, points: &[Pos2], pattern: &[f32], stroke
     painter.extend(dashes(points, pattern, clip).into_iter().map(|dash| Shape::line_segment(dash, stroke)));
 }
 
-/// Draws the outline of a rectangle dashed.
-pub(super) fn dashed_rect(painter: &Painter, rect: Rect, stroke: Stroke) {
-    let corners = [rect.left_top(), rect.right_top(), rect.right_bottom(), rect.left_bottom(), rect.left_top()];
-    dashed(painter, &corners, DASHED, stroke);
-}
-
 /// The distance of `p` from the line between `a` and `b`, points.
 pub(super) fn distance_to_line(p: Pos2, a: Pos2, b: Pos2) -> f32 {
     let along = b - a;

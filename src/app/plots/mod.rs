@@ -11,6 +11,7 @@ mod profile;
 mod regions;
 #[cfg(test)]
 mod sample;
+mod tip;
 
 pub use canvas::CanvasView;
 pub use coordinates::{Coordinates, fixed};

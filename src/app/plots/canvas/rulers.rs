@@ -10,8 +10,8 @@ use egui::{Align2, FontId, Painter, Rect, Stroke};
 const LABEL_Z: f64 = 44.0;
 /// Least distance of two diameter labels, points.
 const LABEL_D: f64 = 26.0;
-/// Width of a step that nodes snap to, points: fine enough to feel free, coarse enough for round figures.
-const SNAP: f64 = 3.0;
+/// Least width of a step that nodes snap to, points: round figures that still feel free.
+const SNAP: f64 = 1.0;
 /// More lines than this are never drawn, whatever the zoom.
 const MOST_LINES: u32 = 400;
 /// Size of the figures, points.

@@ -1,8 +1,9 @@
 //! What is drawn under the handles: stock, chuck, part, threads, centre line.
 
-use super::ProfileScene;
+use super::hatch::hatches;
+use super::{Frame, ProfileScene};
 use crate::app::plots::canvas::Screen;
-use crate::app::plots::lines::{CENTRE_LINE, DASHED, dashed, thinned};
+use crate::app::plots::lines::{CENTRE_LINE, DASHED, dashed, faded, thinned};
 use crate::app::plots::palette::Palette;
 use crate::app::plots::regions::{Triangles, mirrored};
 use crate::geometry::{Bounds, Point};
@@ -11,46 +12,70 @@ use crate::part::Setup;
 use egui::{Painter, Rect, Shape, Stroke};
 
 /// Width of the part's edge, points.
-const EDGE: f32 = 1.8;
+pub(in crate::app::plots) const EDGE: f32 = 1.8;
+/// Width of the line of a section that is selected or under the pointer, points.
+const LIT: f32 = 3.0;
 /// Share of the part's length that the chuck takes in a fitted view.
 const CHUCK_SHOWN: f64 = 0.12;
-
-/// What a fitted view shows: the part, its stock in front of the chuck and a little of the chuck.
-pub(super) fn bounds(scene: &ProfileScene<'_>, full_section: bool) -> Bounds {
-    shown_bounds(&scene.derived.setup, full_section)
-}
 
 /// What a fitted view of `setup` shows; with the lower half or without.
 pub(in crate::app::plots) fn shown_bounds(setup: &Setup, full_section: bool) -> Bounds {
     let radius = setup.bar_radius.max(setup.length * 0.02);
     let from = setup.chuck_face_z.min(0.0) - CHUCK_SHOWN * setup.length;
-    let below = if full_section { -1.12 * radius } else { -0.1 * radius };
-    Bounds { min: Point::new(from, below), max: Point::new(setup.length * 1.04, 1.12 * radius) }
+    let below = if full_section { -1.2 * radius } else { -0.1 * radius };
+    Bounds { min: Point::new(from, below), max: Point::new(setup.length * 1.08, 1.12 * radius) }
 }
 
 /// Draws everything that cannot be taken hold of.
-pub(super) fn scenery(painter: &Painter, screen: &Screen, scene: &ProfileScene<'_>, full_section: bool) {
+pub(super) fn scenery(painter: &Painter, frame: &Frame<'_>, full_section: bool) {
+    let (scene, screen) = (frame.scene, &frame.screen);
     let setup = &scene.derived.setup;
     stock(painter, screen, setup, scene.palette, full_section);
     part(painter, screen, scene, full_section);
+    hatches(painter, frame);
     threads(painter, screen, setup, scene.palette, full_section);
     if let Some(machine) = scene.machine {
         chuck(painter, screen, setup.chuck_face_z, &machine.chuck, scene.palette);
     }
     centre_line(painter, screen, scene.palette);
+    for (section, strength) in [(scene.hovered, 0.55), (scene.selected, 1.0)] {
+        section.into_iter().for_each(|id| lit_section(painter, frame, id, strength));
+    }
+}
+
+/// Draws the line of a section in the accent colour.
+fn lit_section(painter: &Painter, frame: &Frame<'_>, id: u32, strength: f32) {
+    let stroke = Stroke::new(LIT, faded(frame.scene.palette.accent, strength));
+    for segment in frame.segments_of(id) {
+        painter.add(Shape::line(thinned(frame.polyline(segment)), stroke));
+    }
 }
 
 fn stock(painter: &Painter, screen: &Screen, setup: &Setup, palette: &Palette, full_section: bool) {
     let outline = setup.stock.polyline(screen.tolerance());
     let region = Triangles::of(std::slice::from_ref(&outline));
-    region.fill(painter, screen, palette.stock);
     let edge = Stroke::new(1.0, palette.stock_edge);
-    dashed(painter, &on_screen(screen, &outline), DASHED, edge);
+    // The stock explains the part and stays behind it.
+    let fill = faded(palette.stock, 0.6);
+    region.fill(painter, screen, fill);
+    let above: Vec<Point> = without_axis(&outline);
+    dashed(painter, &on_screen(screen, &above), DASHED, edge);
     if full_section {
-        region.fill_mirrored(painter, screen, palette.stock);
-        let below: Vec<Point> = outline.iter().copied().map(mirrored).collect();
+        region.fill_mirrored(painter, screen, fill);
+        let below: Vec<Point> = above.iter().copied().map(mirrored).collect();
         dashed(painter, &on_screen(screen, &below), DASHED, edge);
     }
+}
+
+/// The outline of a stock from foot to foot, without its edge along the spindle axis.
+fn without_axis(outline: &[Point]) -> Vec<Point> {
+    /// Points this near to the axis lie on it, mm.
+    const ON_AXIS: f64 = 1e-9;
+    let ring = outline.strip_suffix(outline.first().map_or(&[][..], std::slice::from_ref)).unwrap_or(outline);
+    let along_axis =
+        |k: &usize| [*k, k + 1].iter().all(|j| ring.get(j % ring.len()).is_some_and(|p| p.r.abs() < ON_AXIS));
+    let start = (0..ring.len()).rev().find(along_axis).map_or(0, |k| k + 1);
+    ring.iter().cycle().skip(start).take(ring.len()).copied().collect()
 }
 
 fn part(painter: &Painter, screen: &Screen, scene: &ProfileScene<'_>, full_section: bool) {

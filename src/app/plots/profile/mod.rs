@@ -2,18 +2,27 @@
 //!
 //! It takes data in and gives [`ProfileEvent`]s out; it never edits the document.
 
+mod dimensions;
+mod drag;
 pub(super) mod draw;
+mod frame;
+mod handles;
+mod hatch;
 mod nodes;
 
 use super::canvas::{self, CanvasView, Rulers};
 use super::coordinates::Coordinates;
 use super::palette::Palette;
+use super::tip::tip;
 use crate::document::TurnedPart;
 
 use crate::machine::Machine;
 use crate::regen::SetupDerived;
 use crate::units::Unit;
+use dimensions::Typing;
+use drag::Drag;
 use egui::{Ui, Vec2};
+use frame::Frame;
 pub use nodes::{End, NodeMove, SectionEnd};
 
 /// What the profile plot shows.
@@ -43,11 +52,24 @@ pub struct ProfileView {
     pub full_section: bool,
     /// Draw dimensions.
     pub dimensions: bool,
+    drag: Option<Drag>,
+    typing: Option<Typing>,
+    /// What was last said to be under the pointer.
+    hovered: Option<u32>,
+}
+
+impl ProfileView {
+    /// True while a handle is dragged.
+    #[must_use]
+    pub const fn is_dragging(&self) -> bool {
+        self.drag.is_some()
+    }
 }
 
 impl Default for ProfileView {
     fn default() -> Self {
-        Self { canvas: CanvasView::default(), full_section: true, dimensions: true }
+        let canvas = CanvasView::default();
+        Self { canvas, full_section: true, dimensions: true, drag: None, typing: None, hovered: None }
     }
 }
 
@@ -122,16 +144,51 @@ pub enum Dimension {
 /// Shows the profile in the room that is left in `ui`.
 pub fn profile_plot(ui: &mut Ui, view: &mut ProfileView, scene: &ProfileScene<'_>) -> Vec<ProfileEvent> {
     let coordinates = Coordinates::of(&scene.derived.setup, scene.unit);
-    let bounds = draw::bounds(scene, view.full_section);
+    let bounds = draw::shown_bounds(&scene.derived.setup, view.full_section);
     let size = ui.available_size().max(Vec2::splat(40.0));
     let name = format!("Profile of {}", scene.derived.name);
     let canvas = canvas::canvas(ui, &mut view.canvas, size, bounds, &name, false);
     let painter = ui.painter_at(canvas.response.rect);
-    let rulers = Rulers { coordinates, grid: true, mirrored: view.full_section };
-    rulers.draw(&painter, &canvas.screen, scene.palette);
-    let free = painter.with_clip_rect(Rulers::free(canvas.response.rect));
-    draw::scenery(&free, &canvas.screen, scene, view.full_section);
+    Rulers { coordinates, grid: true, mirrored: view.full_section }.draw(&painter, &canvas.screen, scene.palette);
+    let free = Rulers::free(canvas.response.rect);
+    let frame = Frame { scene, screen: canvas.screen, coordinates, free, id: canvas.response.id };
+    draw::scenery(&painter.with_clip_rect(free), &frame, view.full_section);
+    let mut events = Vec::new();
+    let over_empty = canvas.response.hovered();
+    point_at(&frame, view, &canvas, over_empty, &mut events);
+    if view.dimensions {
+        dimensions::dimensions(ui, &frame, view, &mut events);
+    }
+    handles::handles(ui, &frame, view, &mut events);
     canvas::overlay(ui, &view.canvas, &canvas, scene.palette);
-    let pointer = canvas.pointer.map(|p| (coordinates.document_z(p.z), coordinates.diameter(p.r)));
-    vec![ProfileEvent::Pointer(pointer)]
+    if let Some(pos) = canvas.response.hover_pos().filter(|_| over_empty) {
+        hatch::hover_text(&frame, pos).into_iter().for_each(|lines| tip(&painter, scene.palette, pos, &lines));
+    }
+    events
 }
+
+/// Says where the pointer is, what lies under it and what was clicked.
+fn point_at(
+    frame: &Frame<'_>,
+    view: &mut ProfileView,
+    canvas: &canvas::Canvas,
+    over_empty: bool,
+    events: &mut Vec<ProfileEvent>,
+) {
+    let c = frame.coordinates;
+    events.push(ProfileEvent::Pointer(canvas.pointer.map(|p| (c.document_z(p.z), c.diameter(p.r)))));
+    let pos = canvas.response.hover_pos().filter(|_| over_empty && view.drag.is_none());
+    let hovered = pos.and_then(|pos| frame.section_at(pos));
+    // Over a handle the section stays as it was, so that an arc's middle does not vanish under the pointer.
+    let over_handle = canvas.pointer.is_some() && !over_empty;
+    if hovered != view.hovered && !over_handle {
+        view.hovered = hovered;
+        events.push(ProfileEvent::HoverSection(hovered));
+    }
+    if let Some(section) = hovered.filter(|_| canvas.response.clicked()) {
+        events.push(ProfileEvent::SelectSection(section));
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,144 @@
+//! The picture of the cut: stock, part, paths, tool, and what is wrong.
+
+use super::playback::{Position, stock_at};
+use super::{CutView, Frame, tool};
+use crate::app::plots::lines::{DASHED, dashed, faded, thinned};
+use crate::app::plots::palette::{LeftoverClass, Palette};
+use crate::app::plots::profile::draw::{EDGE, centre_line, chuck, on_screen, with_ends_on_axis};
+use crate::app::plots::regions::Triangles;
+use crate::proof::{Finding, FindingKind};
+use egui::{Align2, FontId, Painter, Pos2, Shape, Stroke, Vec2};
+
+/// Width of the line that shows what is left on a section, points.
+const LEFTOVER: f32 = 3.4;
+/// Radius of the ring around a finding, points.
+const FINDING: f32 = 6.0;
+/// Share of the form tolerance that a gouge must be thick on average to be drawn.
+const DRAWN_GOUGE: f64 = 0.5;
+
+/// Draws everything.
+pub(super) fn picture(painter: &Painter, frame: &Frame<'_>, view: &mut CutView) {
+    let (scene, screen) = (frame.scene, &frame.screen);
+    let derived = scene.derived;
+    let index = frame.now.map_or(0, |now| stock_at(&derived.proof.moves, now));
+    let shown = view.states.state(derived, index, scene.form_tolerance_mm * DRAWN_GOUGE);
+    if view.stock {
+        stock(painter, frame, &shown.region, index);
+        swept(painter, frame);
+    }
+    part(painter, frame);
+    shown.gouged.fill(painter, screen, scene.palette.wrong);
+    if view.leftover {
+        leftover(painter, frame);
+    }
+    if let Some(machine) = scene.machine {
+        chuck(painter, screen, derived.setup.chuck_face_z, &machine.chuck, scene.palette);
+    }
+    centre_line(painter, screen, scene.palette);
+    view.paths.draw(painter, scene.palette, frame.now.map(|now| now.index), scene.selected);
+    tool_now(painter, frame);
+    findings(painter, frame);
+    if view.leftover {
+        legend(painter, frame);
+    }
+}
+
+fn stock(painter: &Painter, frame: &Frame<'_>, region: &Triangles, index: usize) {
+    let (palette, screen) = (frame.scene.palette, &frame.screen);
+    let Some(state) = frame.scene.derived.proof.stock.get(index) else { return stock_before(painter, frame) };
+    region.fill(painter, screen, palette.stock);
+    for ring in state.rings.iter() {
+        painter.add(Shape::closed_line(on_screen(screen, ring), Stroke::new(1.0, palette.stock_edge)));
+    }
+}
+
+/// Without a proof the stock of the set-up stands in.
+fn stock_before(painter: &Painter, frame: &Frame<'_>) {
+    let (palette, screen) = (frame.scene.palette, &frame.screen);
+    let outline = frame.scene.derived.setup.stock.polyline(screen.tolerance());
+    Triangles::of(std::slice::from_ref(&outline)).fill(painter, screen, palette.stock);
+    dashed(painter, &on_screen(screen, &outline), DASHED, Stroke::new(1.0, palette.stock_edge));
+}
+
+fn swept(painter: &Painter, frame: &Frame<'_>) {
+    let derived = frame.scene.derived;
+    let Some((now, m)) = frame.now.and_then(|now| Some((now, derived.proof.moves.get(now.index)?))) else { return };
+    if let Some(outline) = derived.tools.get(&m.tool) {
+        tool::swept(painter, &frame.screen, frame.scene.palette, outline, m, now);
+    }
+}
+
+fn part(painter: &Painter, frame: &Frame<'_>) {
+    let (palette, screen) = (frame.scene.palette, &frame.screen);
+    let line = frame.scene.derived.contour.contour.polyline(screen.tolerance());
+    Triangles::under(&line).fill(painter, screen, palette.part);
+    let edge = on_screen(screen, &with_ends_on_axis(&line));
+    painter.add(Shape::line(edge, Stroke::new(EDGE, palette.edge)));
+}
+
+fn tool_now(painter: &Painter, frame: &Frame<'_>) {
+    let derived = frame.scene.derived;
+    let Some(Position { index, at, .. }) = frame.now else { return };
+    let outline = derived.proof.moves.get(index).and_then(|m| derived.tools.get(&m.tool));
+    if let Some(outline) = outline {
+        tool::tool(painter, &frame.screen, frame.scene.palette, outline, at);
+    }
+}
+
+fn leftover(painter: &Painter, frame: &Frame<'_>) {
+    let (scene, screen) = (frame.scene, &frame.screen);
+    let contour = &scene.derived.contour;
+    for left in &scene.derived.proof.leftover {
+        let class = LeftoverClass::of(left.largest_mm, scene.form_tolerance_mm);
+        if class == LeftoverClass::Within {
+            continue;
+        }
+        let stroke = Stroke::new(LEFTOVER, scene.palette.leftover(class));
+        let segments = contour.contour.segments.iter().zip(&contour.sections);
+        for (segment, _) in segments.filter(|(_, section)| **section == left.section) {
+            let start = std::iter::once(segment.start());
+            let points = start.chain(segment.polyline_points(screen.tolerance())).map(|p| screen.pos(p));
+            painter.add(Shape::line(thinned(points), stroke));
+        }
+    }
+}
+
+/// What the colours of the leftover mean, in the right upper corner.
+fn legend(painter: &Painter, frame: &Frame<'_>) {
+    let scene = frame.scene;
+    let unit = |mm: f64| format!("{:.*}", scene.unit.decimals(), mm / scene.unit.in_mm());
+    let [within, little, some] = LeftoverClass::STEPS.map(|step| unit(step * scene.form_tolerance_mm));
+    let symbol = scene.unit.symbol();
+    let rows = [
+        (LeftoverClass::Little, format!("{within} to {little} {symbol} left")),
+        (LeftoverClass::Some, format!("{little} to {some} {symbol} left")),
+        (LeftoverClass::Much, format!("over {some} {symbol} left")),
+    ];
+    let corner = painter.clip_rect().right_top() + Vec2::new(-8.0, 8.0);
+    for (row, (class, text)) in (0_u8..).zip(rows) {
+        let at = corner + Vec2::new(0.0, 15.0 * f32::from(row));
+        let font = FontId::proportional(10.5);
+        let rect = painter.text(at, Align2::RIGHT_TOP, text, font, scene.palette.quiet);
+        let dash = rect.left_center() - Vec2::new(22.0, 0.0);
+        painter.line_segment([dash, dash + Vec2::new(16.0, 0.0)], Stroke::new(LEFTOVER, scene.palette.leftover(class)));
+    }
+}
+
+/// Findings with a place that are more than material left.
+fn shown_findings<'a>(frame: &'a Frame<'_>) -> impl Iterator<Item = (Pos2, &'a Finding)> {
+    let wrong = frame.scene.derived.proof.findings.iter().filter(|f| f.kind != FindingKind::Leftover);
+    wrong.filter_map(|f| Some((frame.screen.pos(f.at?), f)))
+}
+
+fn findings(painter: &Painter, frame: &Frame<'_>) {
+    let palette: &Palette = frame.scene.palette;
+    for (pos, _) in shown_findings(frame).filter(|(pos, _)| painter.clip_rect().expand(FINDING).contains(*pos)) {
+        painter.circle(pos, FINDING, faded(palette.wrong, 0.15), Stroke::new(1.6, palette.wrong));
+    }
+}
+
+/// What the finding at `pos` says.
+pub(super) fn finding_at(frame: &Frame<'_>, pos: Pos2) -> Option<Vec<String>> {
+    let near = shown_findings(frame).find(|(at, _)| at.distance(pos) <= FINDING + 2.0);
+    near.map(|(_, f)| vec![f.message.clone(), format!("{} block {}", f.program, f.block)])
+}

@@ -1,0 +1,137 @@
+//! Tool paths on the screen: made once for a view, coloured by operation, thinned, hit by the pointer.
+
+use super::playback::BlockRef;
+use crate::app::plots::canvas::Screen;
+use crate::app::plots::lines::{clipped, dashed, distance_to_polyline, faded, thinned};
+use crate::app::plots::palette::Palette;
+use crate::proof::{Motion, Move, ProofReport};
+use crate::regen::SetupDerived;
+use crate::turning::OperationKind;
+use egui::{Painter, Pos2, Rect, Shape, Stroke};
+use std::sync::Arc;
+
+/// Dash and gap of a rapid move, points.
+const RAPID: &[f32] = &[3.0, 3.0];
+/// Strength of paths that are still to come.
+const TO_COME: f32 = 0.32;
+/// The pointer is on a path within this distance, points.
+const NEAR: f32 = 6.0;
+
+/// Paths of one proof on the screen of one view; made again only when either changes.
+#[derive(Debug, Default)]
+pub(super) struct Paths {
+    made_for: Option<(Arc<ProofReport>, Screen)>,
+    /// Runs of moves with the same block, in order.
+    runs: Vec<Run>,
+}
+
+/// The moves of one run through one block that look alike.
+#[derive(Debug)]
+struct Run {
+    block: BlockRef,
+    /// Index of the first move.
+    first: usize,
+    rapid: bool,
+    operation: Option<OperationKind>,
+    /// On the screen, thinned.
+    points: Vec<Pos2>,
+    bounds: Rect,
+}
+
+impl Paths {
+    /// Makes the paths for `screen` if they are not made already.
+    pub(super) fn update(&mut self, derived: &SetupDerived, screen: Screen) {
+        let known = self.made_for.as_ref();
+        if known.is_some_and(|(proof, made)| Arc::ptr_eq(proof, &derived.proof) && *made == screen) {
+            return;
+        }
+        self.runs = runs(derived, &screen);
+        self.made_for = Some((Arc::clone(&derived.proof), screen));
+    }
+
+    /// Draws all paths: those done by move `now` strong, those to come weak, those of `selected` on top.
+    pub(super) fn draw(&self, painter: &Painter, palette: &Palette, now: Option<usize>, selected: Option<BlockRef>) {
+        let clip = painter.clip_rect();
+        let seen = || self.runs.iter().filter(|run| clip.intersects(run.bounds));
+        for run in seen() {
+            let done = now.is_some_and(|now| run.first <= now);
+            run.draw(painter, run.stroke(palette, done));
+        }
+        for run in seen().filter(|run| Some(run.block) == selected) {
+            painter.add(Shape::line(run.points.clone(), Stroke::new(5.0, faded(palette.accent, 0.25))));
+            run.draw(painter, Stroke::new(2.2, palette.accent));
+        }
+    }
+
+    /// The block whose path is nearest to `pos`, if one is near; cutting moves before rapid ones.
+    pub(super) fn block_at(&self, pos: Pos2) -> Option<BlockRef> {
+        let near = self.runs.iter().filter(|run| run.bounds.expand(NEAR).contains(pos)).filter_map(|run| {
+            let distance = distance_to_polyline(pos, &run.points);
+            (distance <= NEAR).then_some((run.rapid, distance, run.block))
+        });
+        near.min_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1))).map(|(_, _, block)| block)
+    }
+}
+
+impl Run {
+    fn stroke(&self, palette: &Palette, done: bool) -> Stroke {
+        let strength = if done { 1.0 } else { TO_COME };
+        let color = palette.operation(self.operation);
+        match (self.rapid, done) {
+            (true, _) => Stroke::new(0.8, faded(palette.quiet, strength * 0.9)),
+            (false, true) => Stroke::new(1.4, color),
+            (false, false) => Stroke::new(1.0, faded(color, strength)),
+        }
+    }
+
+    fn draw(&self, painter: &Painter, stroke: Stroke) {
+        if self.rapid {
+            dashed(painter, &self.points, RAPID, stroke);
+        } else if let [a, b] = self.points[..] {
+            // Zoomed in, a long line costs only what is seen of it.
+            let line = clipped(a, b, painter.clip_rect().expand(stroke.width));
+            painter.extend(line.map(|line| Shape::line_segment(line, stroke)));
+        } else {
+            painter.add(Shape::line(self.points.clone(), stroke));
+        }
+    }
+}
+
+fn runs(derived: &SetupDerived, screen: &Screen) -> Vec<Run> {
+    let moves = &derived.proof.moves;
+    let alike = |a: &Move, b: &Move| {
+        BlockRef::of(a) == BlockRef::of(b) && is_rapid(a) == is_rapid(b) && a.path.end() == b.path.start()
+    };
+    let mut first = 0;
+    let mut runs = Vec::new();
+    for chunk in moves.chunk_by(alike) {
+        runs.extend(run(derived, screen, first, chunk));
+        first += chunk.len();
+    }
+    runs
+}
+
+fn run(derived: &SetupDerived, screen: &Screen, first: usize, chunk: &[Move]) -> Option<Run> {
+    let m = chunk.first()?;
+    let start = std::iter::once(m.path.start());
+    let all = start.chain(chunk.iter().flat_map(|m| m.path.polyline_points(screen.tolerance())));
+    let points = thinned(all.map(|p| screen.pos(p)));
+    let bounds = Rect::from_points(&points).expand(1.0);
+    let operation = operation_of(derived, m);
+    let moves_at_all = points.len() > 1;
+    moves_at_all.then(|| Run { block: BlockRef::of(m), first, rapid: is_rapid(m), operation, points, bounds })
+}
+
+fn is_rapid(m: &Move) -> bool {
+    m.motion == Motion::Rapid
+}
+
+/// The operation that a move belongs to; of a program edited by hand, the one that its tool does.
+fn operation_of(derived: &SetupDerived, m: &Move) -> Option<OperationKind> {
+    let text = derived.programs.get(m.program)?;
+    let generated = derived.post.programs.iter().find(|p| p.name == text.name).filter(|_| !text.edited);
+    match generated {
+        Some(program) => program.blocks.get(m.block.checked_sub(1)?)?.operation,
+        None => derived.path.operations.iter().find(|o| o.tool == m.tool).map(|o| o.kind),
+    }
+}

@@ -1,0 +1,109 @@
+//! What every piece of the profile plot needs in one frame.
+
+use super::ProfileScene;
+use crate::app::plots::canvas::{Screen, grid_step};
+use crate::app::plots::coordinates::Coordinates;
+use crate::app::plots::lines::distance_to_polyline;
+use crate::geometry::{Point, Segment};
+use crate::part::{Section, SectionKind};
+use egui::{Id, Pos2, Rect};
+
+/// The pointer is on a line within this distance, points.
+const NEAR: f32 = 7.0;
+
+/// One frame of the profile plot.
+pub(super) struct Frame<'a> {
+    /// What is shown.
+    pub(super) scene: &'a ProfileScene<'a>,
+    /// Transform of this frame.
+    pub(super) screen: Screen,
+    /// How positions are written.
+    pub(super) coordinates: Coordinates,
+    /// The canvas without its rulers.
+    pub(super) free: Rect,
+    /// Id that those of all handles follow from.
+    pub(super) id: Id,
+}
+
+impl Frame<'_> {
+    /// The row with this id.
+    pub(super) fn section(&self, id: u32) -> Option<&Section> {
+        self.scene.part.sections.iter().find(|s| s.id == id)
+    }
+
+    /// `convex 6`: kind and row number.
+    pub(super) fn section_name(&self, id: u32) -> String {
+        let row = self.scene.part.sections.iter().position(|s| s.id == id);
+        row.and_then(|k| self.scene.part.sections.get(k).map(|s| (k + 1, s)))
+            .map_or_else(String::new, |(row, s)| format!("{} {row}", kind_name(&s.kind)))
+    }
+
+    /// True if the row is selected or under the pointer.
+    pub(super) fn is_lit(&self, id: u32) -> bool {
+        self.scene.selected == Some(id) || self.scene.hovered == Some(id)
+    }
+
+    /// z and diameter at a position on the screen; the diameter is negative below the axis.
+    pub(super) fn document_at(&self, pos: Pos2) -> (f64, f64) {
+        let p = self.screen.point(pos);
+        (self.coordinates.document_z(p.z), self.coordinates.diameter(p.r) * p.r.signum())
+    }
+
+    /// Step that drags snap to, in the document's unit.
+    pub(super) fn snap_step(&self) -> f64 {
+        grid_step(&self.screen, self.coordinates)
+    }
+
+    /// The segments of a row on the profile, its faces too.
+    pub(super) fn segments_of(&self, id: u32) -> impl Iterator<Item = &Segment> {
+        let contour = &self.scene.derived.contour;
+        contour
+            .contour
+            .segments
+            .iter()
+            .zip(&contour.sections)
+            .filter(move |(_, s)| **s == id)
+            .map(|(segment, _)| segment)
+    }
+
+    /// The row whose line is at `pos`, or in whose body `pos` lies.
+    pub(super) fn section_at(&self, pos: Pos2) -> Option<u32> {
+        let contour = &self.scene.derived.contour;
+        let p = self.screen.point(pos);
+        let above = if p.r < 0.0 { Pos2::new(pos.x, self.screen.pos(Point::new(p.z, -p.r)).y) } else { pos };
+        let lines = contour.contour.segments.iter().zip(&contour.sections);
+        let nearest = lines
+            .map(|(segment, &section)| (distance_to_polyline(above, &self.polyline(segment)), section))
+            .min_by(|a, b| a.0.total_cmp(&b.0))?;
+        if nearest.0 <= NEAR { Some(nearest.1) } else { self.body_at(p) }
+    }
+
+    fn body_at(&self, p: Point) -> Option<u32> {
+        let contour = &self.scene.derived.contour;
+        let covers = |segment: &&Segment| {
+            let bounds = segment.bounds();
+            bounds.min.z <= p.z && p.z < bounds.max.z && p.r.abs() <= bounds.max.r
+        };
+        let mut lines = contour.contour.segments.iter().zip(&contour.sections);
+        lines.find(|(segment, _)| covers(segment)).map(|(_, &section)| section)
+    }
+
+    /// A segment on the screen.
+    pub(super) fn polyline(&self, segment: &Segment) -> Vec<Pos2> {
+        let start = self.screen.pos(segment.start());
+        let rest = segment.polyline_points(self.screen.tolerance());
+        std::iter::once(start).chain(rest.into_iter().map(|p| self.screen.pos(p))).collect()
+    }
+}
+
+/// A section type in a word or two.
+const fn kind_name(kind: &SectionKind) -> &'static str {
+    match kind {
+        SectionKind::Line => "line",
+        SectionKind::Concave { .. } => "concave",
+        SectionKind::Convex { .. } => "convex",
+        SectionKind::Thread { .. } => "thread",
+        SectionKind::ParabolaAlongZ { .. } => "parabola along z",
+        SectionKind::ParabolaAlongX { .. } => "parabola along x",
+    }
+}
