@@ -11,6 +11,9 @@ mod profile;
 mod regions;
 #[cfg(test)]
 mod sample;
+mod solid;
+mod thumbnail;
+mod time_bar;
 mod tip;
 
 pub use canvas::CanvasView;
@@ -18,3 +21,6 @@ pub use coordinates::{Coordinates, fixed};
 pub use cut::{BlockRef, CutEvent, CutScene, CutView, clock, cut_plot};
 pub use palette::{LeftoverClass, Palette};
 pub use profile::{Dimension, End, NodeMove, Phase, ProfileEvent, ProfileScene, ProfileView, SectionEnd, profile_plot};
+pub use solid::{SolidScene, SolidView, solid_view};
+pub use thumbnail::thumbnail;
+pub use time_bar::{TimeShare, time_bar, time_shares};

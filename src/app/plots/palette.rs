@@ -109,6 +109,12 @@ impl Palette {
         if visuals.dark_mode { Self::DARK } else { Self::LIGHT }
     }
 
+    /// Colour of the part in the round, before shading.
+    #[must_use]
+    pub const fn part_solid(&self) -> Color32 {
+        rgb(if self.dark { 0x9F_B8D6 } else { 0xC6_D8EC })
+    }
+
     /// Colour of an operation; `None` stands for the start and end of a program.
     #[must_use]
     pub const fn operation(&self, kind: Option<OperationKind>) -> Color32 {

@@ -73,6 +73,16 @@ pub(super) const fn mirrored(p: Point) -> Point {
     Point::new(p.z, -p.r)
 }
 
+/// The ring without its edge along the spindle axis.
+pub(super) fn from_axis_to_axis(ring: &[Point]) -> Vec<Point> {
+    /// Points this near to the axis lie on it, mm.
+    const ON_AXIS: f64 = 1e-6;
+    let on_axis = |k: usize| ring.get(k % ring.len()).is_some_and(|p| p.r.abs() < ON_AXIS);
+    let along_axis = (0..ring.len()).find(|&k| on_axis(k) && on_axis(k + 1));
+    let start = along_axis.map_or(0, |k| k + 1);
+    ring.iter().cycle().skip(start).take(ring.len()).copied().collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -92,6 +102,12 @@ mod tests {
     fn a_concave_line_is_filled_down_to_the_axis() {
         let line = ring(&[(0.0, 5.0), (4.0, 1.0), (4.0, 3.0), (10.0, 3.0)]);
         assert!((Triangles::under(&line).area() - (12.0 + 18.0)).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_ring_is_opened_at_the_axis() {
+        let opened = from_axis_to_axis(&ring(&[(10.0, 5.0), (0.0, 5.0), (0.0, 0.0), (10.0, 0.0)]));
+        assert_eq!(opened, ring(&[(10.0, 0.0), (10.0, 5.0), (0.0, 5.0), (0.0, 0.0)]));
     }
 
     #[test]

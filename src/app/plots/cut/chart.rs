@@ -3,7 +3,7 @@
 use super::CutScene;
 use super::playback::clock;
 use crate::proof::{Motion, ProofReport};
-use egui::{Color32, Ui};
+use egui::{Align2, FontId, Response, Role, Sense, Shape, Stroke, Ui};
 use egui_plot::{HoverPosition, Line, Plot, PlotPoints, VLine};
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -31,10 +31,8 @@ impl Chart {
     /// Shows the heading, and the chart if `open`.
     pub(super) fn show(&mut self, ui: &mut Ui, open: &mut bool, scene: &CutScene<'_>, time_s: f64) {
         let largest = scene.derived.proof.largest_chip_mm2;
-        let text = format!("{} Chip cross-section, at most {largest:.3} mm²", if *open { "▾" } else { "▸" });
-        let text = egui::RichText::new(text).size(11.0).color(scene.palette.quiet);
-        let heading = ui.add(egui::Button::new(text).frame(false).min_size(egui::vec2(0.0, HEADING)));
-        *open ^= heading.clicked();
+        let text = format!("Chip cross-section, at most {largest:.3} mm²");
+        *open ^= heading(ui, *open, &text, scene).clicked();
         if *open {
             self.update(&scene.derived.proof);
             self.plot(ui, scene, time_s);
@@ -50,11 +48,9 @@ impl Chart {
 
     fn plot(&self, ui: &mut Ui, scene: &CutScene<'_>, time_s: f64) {
         let palette = scene.palette;
-        let line = Line::new("chip cross-section, mm²", PlotPoints::new(self.curve.clone()))
-            .color(palette.accent)
-            .width(1.2)
-            .fill(0.0);
-        let now = VLine::new("now", time_s).color(Color32::from(palette.quiet)).width(1.0);
+        let line =
+            Line::new("chip cross-section, mm²", PlotPoints::new(self.curve.clone())).color(palette.accent).width(1.2);
+        let now = VLine::new("now", time_s).color(palette.quiet).width(1.0);
         Plot::new("chip cross-section")
             .height(CHART)
             .allow_zoom(false)
@@ -63,7 +59,7 @@ impl Chart {
             .allow_boxed_zoom(false)
             .show_grid([false, true])
             .include_y(0.0)
-            .x_axis_formatter(|mark, _| clock(mark.value))
+            .show_axes(false)
             .label_formatter(|at| {
                 let (HoverPosition::NearDataPoint { position, .. } | HoverPosition::Elsewhere { position }) = at;
                 Some(format!("{}  {:.3} mm²", clock(position.x), position.y))
@@ -74,6 +70,25 @@ impl Chart {
                 plot.vline(now);
             });
     }
+}
+
+/// The line that opens and closes the chart.
+fn heading(ui: &mut Ui, open: bool, text: &str, scene: &CutScene<'_>) -> Response {
+    let quiet = scene.palette.quiet;
+    let response = ui.allocate_response(egui::vec2(ui.available_width(), HEADING), Sense::click());
+    response.widget_info(|| egui::WidgetInfo::selected(Role::Button, ui.is_enabled(), open, text));
+    let color = if response.hovered() || response.has_focus() { scene.palette.accent } else { quiet };
+    let middle = response.rect.left_center();
+    let [tip, back, side] = if open {
+        [egui::vec2(8.0, 3.0), egui::vec2(4.0, -2.0), egui::vec2(12.0, -2.0)]
+    } else {
+        [egui::vec2(11.0, 0.0), egui::vec2(6.0, -4.0), egui::vec2(6.0, 4.0)]
+    };
+    let corners = [tip, back, side].map(|by| middle + by).to_vec();
+    ui.painter().add(Shape::convex_polygon(corners, color, Stroke::NONE));
+    let font = FontId::proportional(11.0);
+    ui.painter().text(middle + egui::vec2(20.0, 0.0), Align2::LEFT_CENTER, text, font, color);
+    response
 }
 
 /// The chip of every move over its time, as steps.

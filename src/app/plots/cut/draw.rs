@@ -1,6 +1,6 @@
 //! The picture of the cut: stock, part, paths, tool, and what is wrong.
 
-use super::playback::{Position, stock_at};
+use super::playback::Position;
 use super::{CutView, Frame, tool};
 use crate::app::plots::lines::{DASHED, dashed, faded, thinned};
 use crate::app::plots::palette::{LeftoverClass, Palette};
@@ -20,7 +20,7 @@ const DRAWN_GOUGE: f64 = 0.5;
 pub(super) fn picture(painter: &Painter, frame: &Frame<'_>, view: &mut CutView) {
     let (scene, screen) = (frame.scene, &frame.screen);
     let derived = scene.derived;
-    let index = frame.now.map_or(0, |now| stock_at(&derived.proof.moves, now));
+    let index = super::stock_index_at(derived, view.time_s);
     let shown = view.states.state(derived, index, scene.form_tolerance_mm * DRAWN_GOUGE);
     if view.stock {
         stock(painter, frame, &shown.region, index);

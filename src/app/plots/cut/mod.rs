@@ -24,9 +24,11 @@ use crate::units::Unit;
 use chart::Chart;
 use egui::{Ui, Vec2};
 use paths::Paths;
+pub(super) use paths::operation_of;
 pub use playback::{BlockRef, clock};
 use playback::{Position, position_at, total_s};
 use stock::StockCache;
+pub(super) use stock::stock_ring_at;
 
 /// Longest step of the clock in one frame, s: after a pause of the window playback goes on where it was.
 const LONGEST_FRAME_S: f64 = 0.1;
@@ -214,6 +216,12 @@ fn point_at(
     if let Some(lines) = text {
         tip(painter, frame.scene.palette, pos, &lines);
     }
+}
+
+/// Index of the stock state at a time of the programs.
+pub(super) fn stock_index_at(derived: &SetupDerived, time_s: f64) -> usize {
+    let moves = &derived.proof.moves;
+    position_at(moves, time_s).map_or(0, |now| playback::stock_at(moves, now))
 }
 
 /// A block in words: its number and what it does.

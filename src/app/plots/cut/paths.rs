@@ -53,7 +53,8 @@ impl Paths {
     pub(super) fn draw(&self, painter: &Painter, palette: &Palette, now: Option<usize>, selected: Option<BlockRef>) {
         let clip = painter.clip_rect();
         let seen = || self.runs.iter().filter(|run| clip.intersects(run.bounds));
-        for run in seen() {
+        // Rapid moves lie under cutting moves: many go back along the line that was cut.
+        for run in seen().filter(|run| run.rapid).chain(seen().filter(|run| !run.rapid)) {
             let done = now.is_some_and(|now| run.first <= now);
             run.draw(painter, run.stroke(palette, done));
         }
@@ -127,7 +128,7 @@ fn is_rapid(m: &Move) -> bool {
 }
 
 /// The operation that a move belongs to; of a program edited by hand, the one that its tool does.
-fn operation_of(derived: &SetupDerived, m: &Move) -> Option<OperationKind> {
+pub(in crate::app::plots) fn operation_of(derived: &SetupDerived, m: &Move) -> Option<OperationKind> {
     let text = derived.programs.get(m.program)?;
     let generated = derived.post.programs.iter().find(|p| p.name == text.name).filter(|_| !text.edited);
     match generated {

@@ -1,6 +1,6 @@
 //! The stock at a moment, cut into triangles once, and what is gouged out of the part.
 
-use crate::app::plots::regions::Triangles;
+use crate::app::plots::regions::{Triangles, from_axis_to_axis};
 use crate::geometry::Point;
 use crate::proof::ProofReport;
 use crate::regen::SetupDerived;
@@ -50,6 +50,16 @@ fn shown(derived: &SetupDerived, index: usize, tolerance_mm: f64) -> Shown {
     let Some(state) = derived.proof.stock.get(index) else { return Shown::default() };
     let gouged = gouged(&part_ring(derived), &state.rings, tolerance_mm);
     Shown { region: Triangles::of(&state.rings), gouged: Triangles::of(&gouged) }
+}
+
+/// The outside of the stock state `index` in front of `from_z`, from the axis round to the axis; empty without one.
+pub(in crate::app::plots) fn stock_ring_at(derived: &SetupDerived, index: usize, from_z: f64) -> Vec<Point> {
+    let Some(state) = derived.proof.stock.get(index) else { return Vec::new() };
+    let span = |ring: &&Vec<Point>| ring.iter().map(|p| p.z).fold(f64::NEG_INFINITY, f64::max);
+    let longest = state.rings.iter().max_by(|a, b| span(a).total_cmp(&span(b)));
+    // Counter-clockwise from the axis: turned over it runs from the clamped end up and along to the free end.
+    let ring: Vec<Point> = longest.into_iter().flatten().rev().map(|p| Point::new(p.z.max(from_z), p.r)).collect();
+    from_axis_to_axis(&ring)
 }
 
 fn part_ring(derived: &SetupDerived) -> Vec<Point> {

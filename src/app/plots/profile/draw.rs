@@ -5,7 +5,7 @@ use super::{Frame, ProfileScene};
 use crate::app::plots::canvas::Screen;
 use crate::app::plots::lines::{CENTRE_LINE, DASHED, dashed, faded, thinned};
 use crate::app::plots::palette::Palette;
-use crate::app::plots::regions::{Triangles, mirrored};
+use crate::app::plots::regions::{Triangles, from_axis_to_axis, mirrored};
 use crate::geometry::{Bounds, Point};
 use crate::machine::Chuck;
 use crate::part::Setup;
@@ -58,24 +58,13 @@ fn stock(painter: &Painter, screen: &Screen, setup: &Setup, palette: &Palette, f
     // The stock explains the part and stays behind it.
     let fill = faded(palette.stock, 0.6);
     region.fill(painter, screen, fill);
-    let above: Vec<Point> = without_axis(&outline);
+    let above = from_axis_to_axis(outline.split_last().map_or(&[][..], |(_, ring)| ring));
     dashed(painter, &on_screen(screen, &above), DASHED, edge);
     if full_section {
         region.fill_mirrored(painter, screen, fill);
         let below: Vec<Point> = above.iter().copied().map(mirrored).collect();
         dashed(painter, &on_screen(screen, &below), DASHED, edge);
     }
-}
-
-/// The outline of a stock from foot to foot, without its edge along the spindle axis.
-fn without_axis(outline: &[Point]) -> Vec<Point> {
-    /// Points this near to the axis lie on it, mm.
-    const ON_AXIS: f64 = 1e-9;
-    let ring = outline.strip_suffix(outline.first().map_or(&[][..], std::slice::from_ref)).unwrap_or(outline);
-    let along_axis =
-        |k: &usize| [*k, k + 1].iter().all(|j| ring.get(j % ring.len()).is_some_and(|p| p.r.abs() < ON_AXIS));
-    let start = (0..ring.len()).rev().find(along_axis).map_or(0, |k| k + 1);
-    ring.iter().cycle().skip(start).take(ring.len()).copied().collect()
 }
 
 fn part(painter: &Painter, screen: &Screen, scene: &ProfileScene<'_>, full_section: bool) {
