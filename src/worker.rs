@@ -15,6 +15,14 @@ const PATIENCE: Duration = Duration::from_millis(300);
 /// Makes everything that follows from a document. One lives as long as nothing panics; it may keep a cache.
 pub type Regenerate = Box<dyn FnMut(&Arc<Document>, &Cancel) -> Result<Derived, Cancelled>>;
 
+/// The work of the window's thread.
+#[must_use]
+pub fn regenerating(_catalog: Arc<crate::machine::Catalog>) -> Regenerate {
+    Box::new(|document, _cancel| {
+        Ok(Derived { document: Arc::clone(document), machine: None, setups: Vec::new(), diagnostics: Vec::new() })
+    })
+}
+
 /// What came of one document.
 #[derive(Debug, Clone)]
 pub enum Outcome {

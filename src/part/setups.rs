@@ -300,7 +300,6 @@ mod tests {
 
     mod random_tables {
         use super::*;
-        use crate::units::Unit;
         use proptest::prelude::*;
 
         fn figure() -> impl Strategy<Value = f64> {
@@ -368,11 +367,7 @@ mod tests {
             #![proptest_config(ProptestConfig::with_cases(400))]
 
             #[test]
-            fn every_table_is_checked_and_gives_sound_profiles(part in any_part()) {
-                for diagnostic in crate::part::check(&part, Unit::Inch, &fixtures::orac()) {
-                    let unreadable = ["NaN", "inf"].iter().any(|word| diagnostic.message.contains(word));
-                    assert!(!unreadable, "{}", diagnostic.message);
-                }
+            fn every_table_gives_sound_profiles(part in any_part()) {
                 for setup in made(&part).0 {
                     assert_sound(&setup);
                 }

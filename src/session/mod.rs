@@ -214,6 +214,16 @@ impl Session {
         self.derived.as_ref()?.setups.get(self.selection.setup)
     }
 
+    /// Selects a block of a program by name, in whatever clamping it is.
+    pub fn select_block(&mut self, program: &str, block: usize) {
+        let Some(derived) = &self.derived else { return };
+        for (setup, of_setup) in derived.setups.iter().enumerate() {
+            if let Some(index) = of_setup.programs.iter().position(|p| p.name == program) {
+                self.selection = Selection { setup, program: index, block: Some(block), ..self.selection };
+            }
+        }
+    }
+
     /// True if [`Self::derived`] belongs to the document as it is now.
     #[must_use]
     pub fn is_current(&self) -> bool {

@@ -1,0 +1,117 @@
+//! The line at the head of the window: menus, name of the document, verdict of the proof, Send.
+
+use super::actions::Action;
+use super::desk::Requests;
+use super::layout::{Layout, Pane};
+use super::shortcuts;
+use super::theme::{self, Colors};
+use super::widgets::{chip, clock};
+use crate::session::{SaveState, Session, Verdict};
+use egui::{Align, Button, KeyboardShortcut, RichText, Ui};
+
+/// Shows the line.
+pub(crate) fn show(ui: &mut Ui, session: Option<&Session>, layout: &Layout, requests: &mut Requests) {
+    let colors = Colors::of(ui.visuals());
+    egui::MenuBar::new().ui(ui, |ui| {
+        ui.set_min_height(28.0);
+        ui.label(theme::strong("Turnwright").size(theme::TEXT + 0.5));
+        ui.add_space(8.0);
+        file(ui, session, requests);
+        edit(ui, session, requests);
+        view(ui, layout, requests);
+        if let Some(session) = session {
+            name(ui, session, colors);
+            ui.with_layout(egui::Layout::right_to_left(Align::Center), |ui| verdict(ui, session, colors, requests));
+        }
+    });
+}
+
+fn item(ui: &mut Ui, text: &str, keys: Option<&KeyboardShortcut>, enabled: bool) -> bool {
+    let mut button = Button::new(text);
+    if let Some(keys) = keys {
+        button = button.shortcut_text(ui.ctx().format_shortcut(keys));
+    }
+    ui.add_enabled(enabled, button).clicked()
+}
+
+fn file(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) {
+    ui.menu_button("File", |ui| {
+        if item(ui, "New part", Some(&shortcuts::NEW), true) {
+            requests.actions.push(Action::New);
+        }
+        ui.separator();
+        if item(ui, "Start page", None, session.is_some()) {
+            requests.actions.push(Action::Close);
+        }
+    });
+}
+
+fn edit(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) {
+    ui.menu_button("Edit", |ui| {
+        let undo = session.and_then(|s| s.history().undo_label());
+        let redo = session.and_then(|s| s.history().redo_label());
+        let text = |verb: &str, label: Option<&str>| label.map_or_else(|| verb.to_owned(), |l| format!("{verb} {l}"));
+        if item(ui, &text("Undo", undo), Some(&shortcuts::UNDO), undo.is_some()) {
+            requests.actions.push(Action::Undo);
+        }
+        if item(ui, &text("Redo", redo), Some(&shortcuts::REDO), redo.is_some()) {
+            requests.actions.push(Action::Redo);
+        }
+    });
+}
+
+fn view(ui: &mut Ui, layout: &Layout, requests: &mut Requests) {
+    ui.menu_button("View", |ui| {
+        for pane in Pane::ALL {
+            let mut shown = layout.is_shown(pane);
+            if ui.checkbox(&mut shown, pane.title()).clicked() {
+                requests.actions.push(Action::TogglePane(pane));
+            }
+        }
+        if ui.button("Reset panels").clicked() {
+            requests.actions.push(Action::ResetLayout);
+        }
+        ui.separator();
+        for (theme, text) in [
+            (egui::ThemePreference::Light, "Light"),
+            (egui::ThemePreference::Dark, "Dark"),
+            (egui::ThemePreference::System, "As the system"),
+        ] {
+            if ui.radio(ui.ctx().options(|o| o.theme_preference) == theme, text).clicked() {
+                requests.actions.push(Action::Theme(theme));
+            }
+        }
+        ui.separator();
+        for (step, text) in [(1, "Zoom in"), (-1, "Zoom out"), (0, "Normal size")] {
+            if ui.button(text).clicked() {
+                requests.actions.push(Action::Zoom(step));
+            }
+        }
+    });
+}
+
+fn name(ui: &mut Ui, session: &Session, colors: &Colors) {
+    ui.add_space(4.0);
+    let file = session.path().and_then(|p| p.file_name()).map(|n| n.to_string_lossy().into_owned());
+    ui.label(file.unwrap_or_else(|| session.document().name.clone()));
+    if session.save_state() != SaveState::Saved && session.has_unsaved_work() {
+        let (rect, response) = ui.allocate_exact_size(egui::vec2(8.0, 8.0), egui::Sense::hover());
+        ui.painter().circle_filled(rect.center(), 3.5, colors.plot.wrong);
+        response.on_hover_text("Not saved");
+    }
+}
+
+fn verdict(ui: &mut Ui, session: &Session, colors: &Colors, requests: &mut Requests) {
+    let (text, color, ground) = match session.verdict() {
+        Verdict::Pending => ("Proving…".to_owned(), colors.plot.quiet, colors.inset),
+        Verdict::NoProgram => ("No program".to_owned(), colors.plot.quiet, colors.inset),
+        Verdict::Proved { time_s, blocks } => {
+            (format!("✔ Proved · {} · {blocks} pages", clock(time_s)), colors.good, colors.good_ground)
+        }
+        Verdict::Failed { errors: 1 } => ("✖ 1 error".to_owned(), colors.plot.wrong, colors.wrong_ground),
+        Verdict::Failed { errors } => (format!("✖ {errors} errors"), colors.plot.wrong, colors.wrong_ground),
+    };
+    if chip(ui, RichText::new(text).color(color), ground).on_hover_text("Show what the proof says").clicked() {
+        requests.actions.push(Action::ShowPane(Pane::Problems));
+    }
+}

@@ -1,0 +1,103 @@
+//! The panel with the section table, the stock and the operations.
+
+pub(crate) mod cells;
+mod icon;
+mod keys;
+mod operations;
+mod rows;
+mod stock;
+mod table;
+mod tsv;
+
+use super::desk::Requests;
+use super::widgets::{link, title_row};
+use crate::diagnostic::Column;
+use crate::session::Session;
+use egui::Ui;
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+
+/// Height kept for stock and operations under the table, points.
+const BELOW: f32 = 330.0;
+/// Least height of the table, points.
+const LEAST: f32 = 140.0;
+
+/// What the table keeps from frame to frame.
+#[derive(Debug, Default)]
+pub(crate) struct SectionsView {
+    cursor: Cursor,
+    /// Text of the cell that is being edited.
+    editing: Option<String>,
+    /// Texts that did not fit their cell, with the reason, by row id and column number.
+    bad: BTreeMap<(u32, usize), (String, String)>,
+    /// Scroll so that the cursor is seen.
+    reveal: bool,
+    /// Give the keyboard to the table.
+    take_focus: bool,
+}
+
+/// The cell with the frame, and the other end of a selection of rows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+struct Cursor {
+    row: usize,
+    column: usize,
+    other_row: usize,
+    /// Whole rows are selected, not cells.
+    whole_rows: bool,
+}
+
+impl Cursor {
+    fn rows(self) -> RangeInclusive<usize> {
+        self.row.min(self.other_row)..=self.row.max(self.other_row)
+    }
+}
+
+impl SectionsView {
+    /// Puts the cursor on a cell, as when a message about it is clicked.
+    pub(crate) fn go_to(&mut self, session: &Session, id: u32, column: Option<Column>) {
+        let sections = &session.part().sections;
+        let Some(row) = sections.iter().position(|s| s.id == id) else { return };
+        let columns = cells::columns(sections);
+        let column = column.and_then(|c| columns.iter().position(|other| *other == c)).unwrap_or(0);
+        self.cursor = Cursor { row, column, other_row: row, whole_rows: false };
+        self.reveal = true;
+        self.take_focus = true;
+    }
+}
+
+/// Shows the panel; true if it is dragged by its title.
+pub(crate) fn show(
+    ui: &mut Ui,
+    view: &mut SectionsView,
+    session: &mut Session,
+    requests: &mut Requests,
+    titled: bool,
+) -> bool {
+    let count = session.part().sections.len();
+    let mut add = false;
+    let dragged = title_row(ui, titled.then_some("Sections"), &count.to_string(), |ui| {
+        add = link(ui, "+ Add").on_hover_text("Add a row at the end (Insert adds one above the cursor)").clicked();
+    });
+    if add {
+        add_row(view, session);
+    }
+    let height = (ui.available_height() - BELOW).max(LEAST);
+    table::show(ui, view, session, requests, height);
+    egui::ScrollArea::vertical().id_salt("below-table").auto_shrink([false, false]).show(ui, |ui| {
+        ui.add_space(10.0);
+        stock::show(ui, session, requests);
+        ui.add_space(10.0);
+        operations::show(ui, session);
+    });
+    dragged
+}
+
+fn add_row(view: &mut SectionsView, session: &mut Session) {
+    let at = session.part().sections.len();
+    let mut id = 0;
+    session.edit_part("add a row", None, |part| id = rows::insert(part, at));
+    session.selection.section = Some(id);
+    view.cursor = Cursor { row: at, column: 1, other_row: at, whole_rows: false };
+    view.reveal = true;
+    view.take_focus = true;
+}

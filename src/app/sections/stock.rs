@@ -1,0 +1,172 @@
+//! Bar, ends and how the program is made.
+
+use crate::app::desk::Requests;
+use crate::app::theme;
+use crate::app::widgets::{choice, form_label, length_field};
+use crate::document::{Ends, Generator, ParabolaCut, TurnedPart};
+use crate::machine::Catalog;
+use crate::session::Session;
+use crate::units::Unit;
+use egui::Ui;
+
+/// Space between a label and its field in the two columns, points.
+const BETWEEN: f32 = 8.0;
+
+/// Shows what the part is cut from and how.
+pub(crate) fn show(ui: &mut Ui, session: &mut Session, requests: &Requests) {
+    ui.label(theme::strong("Stock"));
+    let part = session.part().clone();
+    let unit = session.document().unit;
+    let width = (ui.available_width() - 3.0 * BETWEEN) / 4.0;
+    let grid = Grid { label: width - 8.0, field: width + 8.0 };
+    grid.row(ui, |ui| {
+        grid.length(ui, session, "Bar ⌀", "bar diameter", part.bar_diameter, unit, |p, v| p.bar_diameter = v);
+        grid.length(ui, session, "Length", "part length", part.length, unit, |p, v| p.length = v);
+    });
+    grid.row(ui, |ui| {
+        grid.ends(ui, session, part.ends);
+        match part.ends {
+            Ends::Two { split } => grid.split(ui, session, split, unit),
+            Ends::One => grid.yes_no(ui, session, "Part off", part.part_off, |p, yes| p.part_off = yes),
+        }
+    });
+    grid.row(ui, |ui| {
+        grid.material(ui, session, &requests.catalog, &part);
+        grid.unit(ui, session, unit);
+    });
+    grid.row(ui, |ui| {
+        grid.length(ui, session, "Tolerance", "form tolerance", part.form_tolerance, unit, |p, v| p.form_tolerance = v);
+        grid.yes_no(ui, session, "Automatic", part.automatic, |p, yes| p.automatic = yes);
+    });
+    grid.generator(ui, session, part.generator, unit);
+}
+
+/// Widths of the columns.
+#[derive(Clone, Copy)]
+struct Grid {
+    label: f32,
+    field: f32,
+}
+
+impl Grid {
+    fn row(self, ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = BETWEEN;
+            content(ui);
+        });
+    }
+
+    #[allow(clippy::too_many_arguments, reason = "a field is its label, its value and what it writes to")]
+    fn length(
+        self,
+        ui: &mut Ui,
+        session: &mut Session,
+        label: &str,
+        name: &str,
+        value: f64,
+        unit: Unit,
+        write: impl FnOnce(&mut TurnedPart, f64),
+    ) {
+        form_label(ui, label, self.label);
+        if let Some(value) = length_field(ui, label, value, unit, self.field) {
+            session.edit_part(name, None, |part| write(part, value));
+        }
+    }
+
+    fn yes_no(
+        self,
+        ui: &mut Ui,
+        session: &mut Session,
+        label: &str,
+        value: bool,
+        write: impl FnOnce(&mut TurnedPart, bool),
+    ) {
+        form_label(ui, label, self.label);
+        let all = [(false, "no".to_owned()), (true, "yes".to_owned())];
+        if let Some(value) = choice(ui, label, &value, &all, self.field) {
+            session.edit_part(&label.to_lowercase(), None, |part| write(part, value));
+        }
+    }
+
+    fn ends(self, ui: &mut Ui, session: &mut Session, ends: Ends) {
+        form_label(ui, "Ends", self.label);
+        let two = matches!(ends, Ends::Two { .. });
+        let all = [(false, "one".to_owned()), (true, "two".to_owned())];
+        if let Some(two) = choice(ui, "Ends", &two, &all, self.field) {
+            let ends = if two { Ends::Two { split: None } } else { Ends::One };
+            session.edit_part("ends", None, |part| part.ends = ends);
+        }
+    }
+
+    fn split(self, ui: &mut Ui, session: &mut Session, split: Option<f64>, unit: Unit) {
+        form_label(ui, "Split at", self.label);
+        let shown = split.map_or_else(|| "found".to_owned(), |s| crate::app::plots::fixed(s, unit.decimals()));
+        let read = |text: &str| match text.trim() {
+            "" | "found" => Ok(None),
+            text => crate::units::parse_length(text, unit).map(Some),
+        };
+        if let Some(split) = crate::app::widgets::field(ui, "Split at", &shown, self.field, read) {
+            session.edit_part("split", None, |part| part.ends = Ends::Two { split });
+        }
+    }
+
+    fn material(self, ui: &mut Ui, session: &mut Session, catalog: &Catalog, part: &TurnedPart) {
+        form_label(ui, "Material", self.label);
+        let unit = session.document().unit;
+        let mut names: Vec<String> =
+            catalog.materials.iter().filter(|m| m.unit == unit).map(|m| m.name.to_lowercase()).collect();
+        let present = part.material.to_lowercase();
+        if !names.contains(&present) {
+            names.insert(0, present.clone());
+        }
+        let all: Vec<(String, String)> = names.into_iter().map(|n| (n.clone(), n)).collect();
+        if let Some(name) = choice(ui, "Material", &present, &all, self.field) {
+            session.edit_part("material", None, |part| part.material = name);
+        }
+    }
+
+    fn unit(self, ui: &mut Ui, session: &mut Session, unit: Unit) {
+        form_label(ui, "Unit", self.label);
+        let all = [(Unit::Mm, "mm".to_owned()), (Unit::Inch, "inch".to_owned())];
+        if let Some(new) = choice(ui, "Unit", &unit, &all, self.field) {
+            session.edit("unit", None, |document| {
+                let crate::document::Content::TurnedPart(part) = &mut document.content;
+                *part = part.scaled(unit.in_mm() / new.in_mm());
+                document.unit = new;
+            });
+        }
+    }
+
+    fn generator(self, ui: &mut Ui, session: &mut Session, generator: Generator, unit: Unit) {
+        let Generator::Oracap { parabolas, optimize } = generator;
+        let set = |session: &mut Session, label: &str, parabolas, optimize| {
+            session.edit_part(label, None, |p| p.generator = Generator::Oracap { parabolas, optimize });
+        };
+        self.row(ui, |ui| {
+            form_label(ui, "Optimize", self.label);
+            let all = [(false, "no".to_owned()), (true, "yes".to_owned())];
+            if let Some(optimize) = choice(ui, "Optimize", &optimize, &all, self.field) {
+                set(session, "optimize", parabolas, optimize);
+            }
+            form_label(ui, "Parabolas", self.label);
+            let arcs = matches!(parabolas, ParabolaCut::Arcs { .. });
+            let all = [(false, "chords".to_owned()), (true, "arcs".to_owned())];
+            if let Some(arcs) = choice(ui, "Parabolas", &arcs, &all, self.field) {
+                let tolerance = ARC_TOLERANCE_MM / unit.in_mm();
+                let cut = if arcs { ParabolaCut::Arcs { tolerance } } else { ParabolaCut::Chords };
+                set(session, "parabolas", cut, optimize);
+            }
+        });
+        if let ParabolaCut::Arcs { tolerance } = parabolas {
+            self.row(ui, |ui| {
+                form_label(ui, "Arcs within", self.label);
+                if let Some(tolerance) = length_field(ui, "Arcs within", tolerance, unit, self.field) {
+                    set(session, "arc tolerance", ParabolaCut::Arcs { tolerance }, optimize);
+                }
+            });
+        }
+    }
+}
+
+/// Distance that arcs may keep from a parabola until another is chosen, mm.
+const ARC_TOLERANCE_MM: f64 = 0.01;

@@ -1,0 +1,124 @@
+//! Rows and cells of the section table as a spreadsheet's text: one line a row, tabs between cells.
+
+use super::cells;
+use crate::diagnostic::Column;
+use crate::document::TurnedPart;
+use crate::part::Section;
+use crate::units::Unit;
+
+/// All columns in the order of the text.
+pub(crate) const COLUMNS: [Column; 10] = [
+    Column::Kind,
+    Column::Z1,
+    Column::D1,
+    Column::Z2,
+    Column::D2,
+    Column::Radius,
+    Column::Pitch,
+    Column::Z3,
+    Column::D3,
+    Column::Chords,
+];
+
+/// Whole rows as text.
+#[must_use]
+pub(crate) fn write(rows: &[Section], unit: Unit) -> String {
+    let line = |row: &Section| {
+        let cells = COLUMNS.map(|column| cells::text(row, column, unit));
+        cells.join("\t").trim_end_matches('\t').to_owned()
+    };
+    rows.iter().map(line).collect::<Vec<_>>().join("\n")
+}
+
+/// Pastes `text` into the table at `row` and `column`. Lines that begin with a section type are whole rows from `row`
+/// on; others fill cells to the right and downwards. Rows are added where the text is longer than the table.
+///
+/// # Errors
+/// A sentence with line and cell of what does not fit; nothing is pasted then.
+pub(crate) fn paste(
+    part: &mut TurnedPart,
+    row: usize,
+    column: Column,
+    text: &str,
+    unit: Unit,
+) -> Result<usize, String> {
+    let lines: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).collect();
+    if lines.is_empty() {
+        return Err("There is nothing on the clipboard to paste.".to_owned());
+    }
+    let mut edited = part.clone();
+    for (offset, line) in lines.iter().enumerate() {
+        let index = row + offset;
+        if index >= edited.sections.len() {
+            let id = edited.unused_section_id();
+            let (z, d) = edited.sections.last().map_or((0.0, edited.bar_diameter), |s| (s.z2, s.d2));
+            edited.sections.push(Section::line(id, z, d, z, d));
+        }
+        let Some(section) = edited.sections.get_mut(index) else { continue };
+        paste_line(section, column, line, unit).map_err(|reason| format!("Line {}: {reason}", offset + 1))?;
+    }
+    *part = edited;
+    Ok(lines.len())
+}
+
+fn paste_line(section: &mut Section, column: Column, line: &str, unit: Unit) -> Result<(), String> {
+    let cells: Vec<&str> = line.split('\t').map(str::trim).collect();
+    let whole_row = cells.len() > 1 && cells.first().is_some_and(|cell| cells::find_kind(cell).is_ok());
+    let first = if whole_row { Column::Kind } else { column };
+    let columns = COLUMNS.iter().skip_while(|c| **c != first);
+    for (cell, column) in cells.iter().zip(columns).filter(|(cell, _)| !cell.is_empty()) {
+        cells::set(section, *column, cell, unit).map_err(|reason| format!("{column}: {reason}"))?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::{Ends, Generator};
+    use crate::part::SectionKind;
+    use std::collections::BTreeMap;
+
+    fn part(sections: Vec<Section>) -> TurnedPart {
+        TurnedPart {
+            machine: "orac".into(),
+            material: "aluminium".into(),
+            bar_diameter: 26.0,
+            length: 30.0,
+            ends: Ends::One,
+            part_off: false,
+            automatic: false,
+            generator: Generator::default(),
+            form_tolerance: 0.1,
+            sections,
+            overrides: BTreeMap::new(),
+        }
+    }
+
+    #[test]
+    fn rows_copied_and_pasted_are_the_same() {
+        let mut rows = vec![Section::line(1, 0.0, 20.0, 10.0, 16.0), Section::line(2, 10.0, 16.0, 14.0, 12.0)];
+        rows[1].kind = SectionKind::Concave { radius: 7.5 };
+        let text = write(&rows, Unit::Mm);
+        let mut pasted = part(Vec::new());
+        assert_eq!(paste(&mut pasted, 0, Column::Kind, &text, Unit::Mm), Ok(2));
+        assert_eq!(pasted.sections, rows);
+    }
+
+    #[test]
+    fn figures_fill_cells_to_the_right_and_downwards() {
+        let mut p = part(vec![Section::line(1, 0.0, 20.0, 10.0, 16.0)]);
+        paste(&mut p, 0, Column::Z2, "11\t17\n12\t18\n", Unit::Mm).unwrap();
+        assert_eq!((p.sections[0].z2, p.sections[0].d2), (11.0, 17.0));
+        assert_eq!((p.sections[1].z1, p.sections[1].z2, p.sections[1].d2), (11.0, 12.0, 18.0));
+    }
+
+    #[test]
+    fn a_bad_cell_names_its_place_and_pastes_nothing() {
+        let mut p = part(vec![Section::line(1, 0.0, 20.0, 10.0, 16.0)]);
+        let before = p.clone();
+        let reason = paste(&mut p, 0, Column::Z1, "1\t2\n3\tx", Unit::Mm).unwrap_err();
+        assert!(reason.starts_with("Line 2: ⌀ start:"), "{reason}");
+        assert_eq!(p, before);
+    }
+}

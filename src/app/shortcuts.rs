@@ -1,0 +1,29 @@
+//! Keyboard shortcuts of the window as a whole.
+
+use super::actions::Action;
+use egui::{Key, KeyboardShortcut, Modifiers, Ui};
+
+/// Take back.
+pub(crate) const UNDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Z);
+/// Do again.
+pub(crate) const REDO: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::Z);
+/// Do again, the other custom.
+pub(crate) const REDO_Y: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Y);
+/// New part.
+pub(crate) const NEW: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::N);
+
+/// Reads the shortcuts of this frame. While a text is being edited, undo belongs to the text.
+pub(crate) fn read(ui: &Ui, actions: &mut Vec<Action>) {
+    let typing = ui.ctx().text_edit_focused();
+    let mut on = |shortcut: &KeyboardShortcut, action: Action| {
+        if ui.input_mut(|i| i.consume_shortcut(shortcut)) {
+            actions.push(action);
+        }
+    };
+    if !typing {
+        on(&REDO, Action::Redo);
+        on(&REDO_Y, Action::Redo);
+        on(&UNDO, Action::Undo);
+    }
+    on(&NEW, Action::New);
+}
