@@ -27,14 +27,26 @@ pub(crate) fn part(length: f64, sections: Vec<Section>) -> TurnedPart {
 }
 
 pub(crate) fn queen() -> TurnedPart {
-    example(include_str!("../../assets/examples/queen.turn"))
+    turned_part(include_str!("../../assets/examples/queen.turn"))
 }
 
 pub(crate) fn master() -> TurnedPart {
-    example(include_str!("../../assets/examples/master.turn"))
+    turned_part(include_str!("../../assets/examples/master.turn"))
 }
 
-fn example(text: &str) -> TurnedPart {
+/// All shipped examples.
+pub(crate) fn examples() -> [Document; 5] {
+    [
+        include_str!("../../assets/examples/queen.turn"),
+        include_str!("../../assets/examples/master.turn"),
+        include_str!("../../assets/examples/knob.turn"),
+        include_str!("../../assets/examples/spigot.turn"),
+        include_str!("../../assets/examples/stud.turn"),
+    ]
+    .map(|text| serde_json::from_str(text).unwrap())
+}
+
+fn turned_part(text: &str) -> TurnedPart {
     let document: Document = serde_json::from_str(text).unwrap();
     let Content::TurnedPart(part) = document.content;
     part

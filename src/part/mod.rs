@@ -1,12 +1,14 @@
 //! Turned parts: the section table, its checks, and the exact profile made from it.
 
 mod biarc;
+mod check;
 mod crossing;
 mod curve;
 mod envelope;
 mod outside;
 mod profile;
 mod reach;
+mod rules;
 mod section;
 mod section_row;
 mod setups;
@@ -17,6 +19,7 @@ mod split;
 mod fixtures;
 
 pub use biarc::contour;
+pub use check::check;
 pub use profile::{Curve, Parabola, ParabolaAxis, PartContour, Piece, PieceRole, Profile, Setup, ThreadSpec};
 pub use reach::UnreachableArea;
 pub use section::{Section, SectionKind};

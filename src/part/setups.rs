@@ -300,6 +300,7 @@ mod tests {
 
     mod random_tables {
         use super::*;
+        use crate::units::Unit;
         use proptest::prelude::*;
 
         fn figure() -> impl Strategy<Value = f64> {
@@ -367,7 +368,11 @@ mod tests {
             #![proptest_config(ProptestConfig::with_cases(400))]
 
             #[test]
-            fn every_table_gives_sound_profiles(part in any_part()) {
+            fn every_table_is_checked_and_gives_sound_profiles(part in any_part()) {
+                for diagnostic in crate::part::check(&part, Unit::Inch, &fixtures::orac()) {
+                    let unreadable = ["NaN", "inf"].iter().any(|word| diagnostic.message.contains(word));
+                    assert!(!unreadable, "{}", diagnostic.message);
+                }
                 for setup in made(&part).0 {
                     assert_sound(&setup);
                 }
