@@ -135,7 +135,7 @@ mod tests {
     fn surface(corners: &[(f64, f64)]) -> Surface {
         let points: Vec<Point> = corners.iter().map(|&(z, r)| Point::new(z, r)).collect();
         let segments: Vec<Segment> = points.windows(2).map(|w| Segment::line(w[0], w[1])).collect();
-        Surface::new(&segments, corners[0].0, corners[corners.len() - 1].0)
+        Surface::new(&segments)
     }
 
     #[test]

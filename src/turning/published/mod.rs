@@ -60,12 +60,12 @@ pub fn generate(
     );
     let mut path = CutterPath { datum, program_zero_z: setup.length, operations: Vec::new() };
     let mut diagnostics = check_material(material_mm);
-    let segments = profile_lines::segments(setup, part_mm);
+    let segments = profile_lines::segments(setup, part_mm, machine);
     let known = datum.is_finite() && segments.iter().all(|s| s.start().is_finite() && s.end().is_finite());
     if !diagnostics.is_empty() || segments.is_empty() || !known {
         return (path, diagnostics);
     }
-    let surface = Surface::new(&segments, setup.machined_from_z, setup.length);
+    let surface = Surface::new(&segments).clipped(setup.machined_from_z, setup.length);
     let plan = Plan::new(surface, datum, setup.bar_radius, machine, material_mm);
     path.operations = operations(&plan, setup);
     diagnostics.extend(check_stations(&path, machine));

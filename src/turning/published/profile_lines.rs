@@ -1,12 +1,29 @@
-//! The profile as lines and arcs that the control knows: parabolas become chords.
+//! The profile as lines and arcs that the control knows: parabolas become chords or tangent arcs.
 
-use crate::document::TurnedPart;
+use crate::document::{Generator, ParabolaCut, TurnedPart};
 use crate::geometry::{Point, Segment};
-use crate::part::{Curve, Parabola, ParabolaAxis, Piece, Setup};
+use crate::machine::Machine;
+use crate::part::{Curve, Parabola, Piece, Setup, contour};
 
 /// The segments of the set-up's profile in order of z.
-pub(super) fn segments(setup: &Setup, part_mm: &TurnedPart) -> Vec<Segment> {
-    setup.profile.pieces.iter().flat_map(|p| piece_with_chords(p, setup, part_mm)).collect()
+pub(super) fn segments(setup: &Setup, part_mm: &TurnedPart, machine: &Machine) -> Vec<Segment> {
+    let Generator::Oracap { parabolas, .. } = part_mm.generator;
+    match parabolas {
+        ParabolaCut::Chords => setup.profile.pieces.iter().flat_map(|p| piece_with_chords(p, setup, part_mm)).collect(),
+        ParabolaCut::Arcs { tolerance } => {
+            let arcs = contour(&setup.profile, tolerance).contour.segments;
+            arcs.into_iter().map(|s| flat_as_line(s, machine.limits.arc_radius_max_mm)).collect()
+        }
+    }
+}
+
+/// An arc that is flatter than the control can cut is a line.
+fn flat_as_line(segment: Segment, largest_radius: f64) -> Segment {
+    if segment.radius().is_some_and(|r| r > largest_radius) {
+        Segment::line(segment.start(), segment.end())
+    } else {
+        segment
+    }
 }
 
 fn piece_with_chords(piece: &Piece, setup: &Setup, part_mm: &TurnedPart) -> Vec<Segment> {
@@ -33,49 +50,23 @@ fn chords(parabola: &Parabola, row: (f64, f64)) -> Vec<Segment> {
     const AT_END_MM: f64 = 1e-6;
     let count = parabola.chords.max(1);
     let (start, end) = (parabola.start, parabola.end);
+    let curve = Curve::Parabola(*parabola);
     let inner = (1..count)
         .map(|k| row.0 + (row.1 - row.0) * f64::from(k) / f64::from(count))
         .filter(|&z| z > start.z + AT_END_MM && z < end.z - AT_END_MM)
-        .map(|z| Point::new(z, radius_at(parabola, z)));
+        .map(|z| Point::new(z, curve.radius_at(z)));
     let corners: Vec<Point> = std::iter::once(start).chain(inner).chain([end]).collect();
     corners.windows(2).map(|w| Segment::line(w[0], w[1])).collect()
-}
-
-/// Radius of the parabola at `z`; with the axis along z the root between the ends' radii.
-fn radius_at(parabola: &Parabola, z: f64) -> f64 {
-    let [a, b, c] = parabola.coefficients;
-    match parabola.axis {
-        ParabolaAxis::AlongX => (a * z + b) * z + c,
-        ParabolaAxis::AlongZ => {
-            let middle = f64::midpoint(parabola.start.r, parabola.end.r);
-            roots(a, b, c - z)
-                .into_iter()
-                .min_by(|p, q| (p - middle).abs().total_cmp(&(q - middle).abs()))
-                .unwrap_or(middle)
-        }
-    }
-}
-
-/// Real roots of `a·x² + b·x + c`, in the form that keeps its digits when `a` is small.
-fn roots(a: f64, b: f64, c: f64) -> Vec<f64> {
-    let root = (b * b - 4.0 * a * c).max(0.0).sqrt();
-    let q = -0.5 * (b + root.copysign(b));
-    [q / a, c / q].into_iter().filter(|x| x.is_finite()).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::part::ParabolaAxis;
 
     /// z = 0.5·r² from (0.5, 1) to (8, 4).
     fn along_z() -> Parabola {
-        Parabola {
-            start: Point::new(0.5, 1.0),
-            end: Point::new(8.0, 4.0),
-            axis: ParabolaAxis::AlongZ,
-            coefficients: [0.5, 0.0, 0.0],
-            chords: 5,
-        }
+        Parabola::through(Point::new(0.5, 1.0), Point::new(8.0, 4.0), ParabolaAxis::AlongZ, 0.5, 5)
     }
 
     #[test]

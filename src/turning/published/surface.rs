@@ -1,7 +1,7 @@
 //! The outside to be made, as a radius over z; faces are jumps between neighbouring spans.
 
 use super::span::{SAME_MM, Span};
-use crate::geometry::{Point, Segment};
+use crate::geometry::Segment;
 
 /// Runs shorter than this are not cut, mm: half of the control's smallest step.
 const SHORTEST_RUN_MM: f64 = 0.0005;
@@ -23,16 +23,9 @@ pub(super) struct Run {
 }
 
 impl Surface {
-    /// The surface of `segments` between two positions. Left of the first segment its radius goes on (the width to be
-    /// parted off); right of the last one nothing is to be left of the bar.
-    pub(super) fn new(segments: &[Segment], from_z: f64, to_z: f64) -> Self {
-        let all: Vec<Span> = segments.iter().filter_map(Span::of).collect();
-        let (Some(first), Some(last)) = (all.first(), all.last()) else { return Self::default() };
-        let (first, last) = (first.left(), last.right());
-        let before = (first.z - from_z > SAME_MM).then(|| Span::line(Point::new(from_z, first.r), first));
-        let after = (to_z - last.z > SAME_MM).then(|| Span::line(Point::new(last.z, 0.0), Point::new(to_z, 0.0)));
-        let whole = before.into_iter().chain(all).chain(after);
-        Self { spans: whole.filter_map(|s| s.clipped(from_z, to_z)).collect() }
+    /// The surface of connected `segments` in order of z.
+    pub(super) fn new(segments: &[Segment]) -> Self {
+        Self { spans: segments.iter().filter_map(Span::of).collect() }
     }
 
     /// The surface `by` mm further out.
@@ -97,27 +90,28 @@ fn join(runs: &mut Vec<Run>, run: Run) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Point;
 
     /// A shaft of radius 5 with a collar of radius 8 from z 10 to 12.
     fn collar() -> Surface {
         let at = |z: f64, r: f64| Point::new(z, r);
         let corners = [at(0.0, 5.0), at(10.0, 5.0), at(10.0, 8.0), at(12.0, 8.0), at(12.0, 5.0), at(20.0, 5.0)];
         let segments: Vec<Segment> = corners.windows(2).map(|w| Segment::line(w[0], w[1])).collect();
-        Surface::new(&segments, -3.0, 25.0)
+        Surface::new(&segments)
     }
 
     #[test]
     fn a_collar_splits_the_run_below_it() {
         let run = |z0, z1| Run { z0, z1 };
-        assert_eq!(collar().runs_below(8.0), [run(-3.0, 25.0)]);
-        assert_eq!(collar().runs_below(6.0), [run(-3.0, 10.0), run(12.0, 25.0)]);
-        assert_eq!(collar().runs_below(4.0), [run(20.0, 25.0)]);
+        assert_eq!(collar().runs_below(8.0), [run(0.0, 20.0)]);
+        assert_eq!(collar().runs_below(6.0), [run(0.0, 10.0), run(12.0, 20.0)]);
+        assert_eq!(collar().runs_below(4.0), []);
     }
 
     #[test]
     fn faces_come_back_as_lines() {
         let segments = collar().segments();
-        assert_eq!(segments.len(), 8, "five cylinders and three faces");
+        assert_eq!(segments.len(), 5, "three cylinders and three faces");
         assert!(segments.windows(2).all(|w| w[0].end().distance(w[1].start()) < 1e-12));
     }
 }
