@@ -4,10 +4,17 @@
 //! Counter-clockwise (`ccw`) is seen with z to the right and r upwards.
 
 mod contour;
+mod inside;
+mod intersection;
 mod nearest;
 mod point;
 mod segment;
 
+#[cfg(test)]
+mod properties;
+
 pub use contour::Contour;
+pub use inside::Location;
+pub use intersection::Intersection;
 pub use point::{Bounds, Point, Vector};
 pub use segment::Segment;
