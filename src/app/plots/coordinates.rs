@@ -46,11 +46,10 @@ impl Coordinates {
         fixed(value, self.unit.decimals())
     }
 
-    /// The readout of a pointer position: z and diameter with the unit.
+    /// The readout of a pointer at `z` and `diameter`, both as the document writes them, with the unit.
     #[must_use]
-    pub fn readout(self, p: Point) -> String {
-        let (z, d) = (self.document_z(p.z), self.diameter(p.r));
-        format!("z {}  ⌀ {} {}", self.text(z), self.text(d), self.unit.symbol())
+    pub fn readout(self, z: f64, diameter: f64) -> String {
+        format!("z {}  ⌀ {} {}", self.text(z), self.text(diameter), self.unit.symbol())
     }
 
     fn swap_ends(self, z_mm: f64) -> f64 {

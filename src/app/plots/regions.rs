@@ -1,7 +1,7 @@
 //! Filled regions as meshes, and their triangulation.
 
 use super::canvas::Screen;
-use crate::geometry::Point;
+use crate::geometry::{Point, Vector};
 use egui::{Color32, Mesh, Painter};
 use i_triangle::float::triangulatable::Triangulatable;
 
@@ -36,6 +36,11 @@ impl Triangles {
     /// Fills the region.
     pub(super) fn fill(&self, painter: &Painter, screen: &Screen, color: Color32) {
         self.fill_with(painter, color, |p| screen.pos(p));
+    }
+
+    /// Fills the region moved by `by`, mm.
+    pub(super) fn fill_moved(&self, painter: &Painter, screen: &Screen, by: Vector, color: Color32) {
+        self.fill_with(painter, color, |p| screen.pos(p + by));
     }
 
     /// Fills the region mirrored at the spindle axis.

@@ -32,8 +32,8 @@ const KEY_ZOOM: f64 = 1.15;
 const FILLED: f64 = 0.88;
 /// Smallest and largest zoom, 1 shows the whole part.
 const ZOOMS: (f64, f64) = (0.3, 12.0);
-/// Share of the light that reaches every face.
-const AMBIENT: f64 = 0.42;
+/// Shares of the light: from everywhere, from the lamp at the left above, from the viewer.
+const LIGHT: [f64; 3] = [0.30, 0.42, 0.28];
 
 /// What the view in the round shows.
 pub struct SolidScene<'a> {
@@ -208,8 +208,9 @@ impl Face {
         let normal = Vector::new(-(b.r - a.r), b.z - a.z).try_normalize(0.0)?;
         let normal = pose * Vector3::new(normal.x, normal.y * half.cos(), normal.y * half.sin());
         let depth = corners.iter().map(|c| c.z).sum::<f64>() / 4.0;
-        let towards_light = normal.dot(&Vector3::new(-0.35, 0.7, 0.62));
-        (normal.z > -1e-3).then_some(Self { corners, depth, light: AMBIENT + (1.0 - AMBIENT) * towards_light.max(0.0) })
+        let lamp = normal.dot(&Vector3::new(-0.35, 0.7, 0.62)).max(0.0);
+        let light = LIGHT[0] + LIGHT[1] * lamp + LIGHT[2] * normal.z.max(0.0);
+        (normal.z > -1e-3).then_some(Self { corners, depth, light })
     }
 
     #[allow(clippy::cast_possible_truncation, reason = "screen positions and colours are f32 in egui")]

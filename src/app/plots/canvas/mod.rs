@@ -154,3 +154,6 @@ pub(super) fn overlay(ui: &Ui, view: &CanvasView, canvas: &Canvas, palette: &Pal
         painter.rect_stroke(ring, 4.0, Stroke::new(1.0, palette.accent.gamma_multiply(0.5)), egui::StrokeKind::Inside);
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -48,8 +48,13 @@ impl Chart {
 
     fn plot(&self, ui: &mut Ui, scene: &CutScene<'_>, time_s: f64) {
         let palette = scene.palette;
-        let line =
-            Line::new("chip cross-section, mm²", PlotPoints::new(self.curve.clone())).color(palette.accent).width(1.2);
+        let line = Line::new("chip cross-section, mm²", PlotPoints::new(self.curve.clone()))
+            .color(palette.accent)
+            .width(1.2)
+            .fill(0.0)
+            .fill_alpha(0.12)
+            // A band would draw steps as slopes.
+            .allow_band(false);
         let now = VLine::new("now", time_s).color(palette.quiet).width(1.0);
         Plot::new("chip cross-section")
             .height(CHART)

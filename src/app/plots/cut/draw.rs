@@ -1,7 +1,6 @@
 //! The picture of the cut: stock, part, paths, tool, and what is wrong.
 
-use super::playback::Position;
-use super::{CutView, Frame, tool};
+use super::{CutView, Frame};
 use crate::app::plots::lines::{DASHED, dashed, faded, thinned};
 use crate::app::plots::palette::{LeftoverClass, Palette};
 use crate::app::plots::profile::draw::{EDGE, centre_line, chuck, on_screen, with_ends_on_axis};
@@ -11,6 +10,10 @@ use egui::{Align2, FontId, Painter, Pos2, Shape, Stroke, Vec2};
 
 /// Width of the line that shows what is left on a section, points.
 const LEFTOVER: f32 = 3.4;
+/// Height of a line of the legend, points.
+const LINE: f32 = 15.0;
+/// Length of the sample of a colour in the legend, points.
+const DASH: f32 = 16.0;
 /// Radius of the ring around a finding, points.
 const FINDING: f32 = 6.0;
 /// Share of the form tolerance that a gouge must be thick on average to be drawn.
@@ -24,7 +27,7 @@ pub(super) fn picture(painter: &Painter, frame: &Frame<'_>, view: &mut CutView) 
     let shown = view.states.state(derived, index, scene.form_tolerance_mm * DRAWN_GOUGE);
     if view.stock {
         stock(painter, frame, &shown.region, index);
-        swept(painter, frame);
+        swept(painter, frame, view);
     }
     part(painter, frame);
     shown.gouged.fill(painter, screen, scene.palette.wrong);
@@ -36,7 +39,7 @@ pub(super) fn picture(painter: &Painter, frame: &Frame<'_>, view: &mut CutView) 
     }
     centre_line(painter, screen, scene.palette);
     view.paths.draw(painter, scene.palette, frame.now.map(|now| now.index), scene.selected);
-    tool_now(painter, frame);
+    tool_now(painter, frame, view);
     findings(painter, frame);
     if view.leftover {
         legend(painter, frame);
@@ -60,12 +63,9 @@ fn stock_before(painter: &Painter, frame: &Frame<'_>) {
     dashed(painter, &on_screen(screen, &outline), DASHED, Stroke::new(1.0, palette.stock_edge));
 }
 
-fn swept(painter: &Painter, frame: &Frame<'_>) {
-    let derived = frame.scene.derived;
-    let Some((now, m)) = frame.now.and_then(|now| Some((now, derived.proof.moves.get(now.index)?))) else { return };
-    if let Some(outline) = derived.tools.get(&m.tool) {
-        tool::swept(painter, &frame.screen, frame.scene.palette, outline, m, now);
-    }
+fn swept(painter: &Painter, frame: &Frame<'_>, view: &CutView) {
+    let Some((now, running)) = frame.now.and_then(|now| Some((now, frame.running(now)?))) else { return };
+    view.tools.swept(painter, &frame.screen, frame.scene.palette, running, now.share);
 }
 
 fn part(painter: &Painter, frame: &Frame<'_>) {
@@ -76,13 +76,9 @@ fn part(painter: &Painter, frame: &Frame<'_>) {
     painter.add(Shape::line(edge, Stroke::new(EDGE, palette.edge)));
 }
 
-fn tool_now(painter: &Painter, frame: &Frame<'_>) {
-    let derived = frame.scene.derived;
-    let Some(Position { index, at, .. }) = frame.now else { return };
-    let outline = derived.proof.moves.get(index).and_then(|m| derived.tools.get(&m.tool));
-    if let Some(outline) = outline {
-        tool::tool(painter, &frame.screen, frame.scene.palette, outline, at);
-    }
+fn tool_now(painter: &Painter, frame: &Frame<'_>, view: &CutView) {
+    let Some((now, running)) = frame.now.and_then(|now| Some((now, frame.running(now)?))) else { return };
+    view.tools.draw(painter, &frame.screen, frame.scene.palette, running.tool, now.at);
 }
 
 fn leftover(painter: &Painter, frame: &Frame<'_>) {
@@ -114,13 +110,19 @@ fn legend(painter: &Painter, frame: &Frame<'_>) {
         (LeftoverClass::Some, format!("{little} to {some} {symbol} left")),
         (LeftoverClass::Much, format!("over {some} {symbol} left")),
     ];
-    let corner = painter.clip_rect().right_top() + Vec2::new(-8.0, 8.0);
-    for (row, (class, text)) in (0_u8..).zip(rows) {
-        let at = corner + Vec2::new(0.0, 15.0 * f32::from(row));
-        let font = FontId::proportional(10.5);
-        let rect = painter.text(at, Align2::RIGHT_TOP, text, font, scene.palette.quiet);
-        let dash = rect.left_center() - Vec2::new(22.0, 0.0);
-        painter.line_segment([dash, dash + Vec2::new(16.0, 0.0)], Stroke::new(LEFTOVER, scene.palette.leftover(class)));
+    let layout = |text| painter.layout_no_wrap(text, FontId::proportional(10.5), scene.palette.quiet);
+    let rows = rows.map(|(class, text)| (class, layout(text)));
+    let widest = rows.iter().map(|(_, galley)| galley.size().x).fold(0.0, f32::max);
+    let size = Vec2::new(widest + DASH + 20.0, LINE * 3.0 + 8.0);
+    let plate = Align2::RIGHT_TOP.anchor_size(painter.clip_rect().right_top(), size);
+    painter.rect_filled(plate, 4.0, faded(scene.palette.ground, 0.88));
+    let mut at = plate.left_top() + Vec2::new(8.0, 4.0 + LINE / 2.0);
+    for (class, galley) in rows {
+        let stroke = Stroke::new(LEFTOVER, scene.palette.leftover(class));
+        painter.line_segment([at, at + Vec2::new(DASH, 0.0)], stroke);
+        let text = at + Vec2::new(DASH + 6.0, -galley.size().y / 2.0);
+        painter.galley(text, galley, scene.palette.quiet);
+        at.y += LINE;
     }
 }
 

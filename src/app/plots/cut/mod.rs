@@ -29,6 +29,7 @@ pub use playback::{BlockRef, clock};
 use playback::{Position, position_at, total_s};
 use stock::StockCache;
 pub(super) use stock::stock_ring_at;
+use tool::Tools;
 
 /// Longest step of the clock in one frame, s: after a pause of the window playback goes on where it was.
 const LONGEST_FRAME_S: f64 = 0.1;
@@ -69,6 +70,7 @@ pub struct CutView {
     hovered: Option<BlockRef>,
     paths: Paths,
     states: StockCache,
+    tools: Tools,
     chips: Chart,
 }
 
@@ -85,6 +87,7 @@ impl Default for CutView {
             hovered: None,
             paths: Paths::default(),
             states: StockCache::default(),
+            tools: Tools::default(),
             chips: Chart::default(),
         }
     }
@@ -154,6 +157,13 @@ struct Frame<'a> {
     now: Option<Position>,
 }
 
+impl Frame<'_> {
+    /// The move that runs at `now`.
+    fn running(&self, now: Position) -> Option<&Move> {
+        self.scene.derived.proof.moves.get(now.index)
+    }
+}
+
 /// Shows paths, stock and tool with the playback bar in the room that is left in `ui`.
 pub fn cut_plot(ui: &mut Ui, view: &mut CutView, scene: &CutScene<'_>) -> Vec<CutEvent> {
     let moves = &scene.derived.proof.moves;
@@ -181,6 +191,7 @@ fn picture(ui: &mut Ui, view: &mut CutView, scene: &CutScene<'_>, size: Vec2, ev
     Rulers { coordinates, grid: false, mirrored: false }.draw(&painter, &canvas.screen, scene.palette);
     let free = painter.with_clip_rect(Rulers::free(canvas.response.rect));
     view.paths.update(scene.derived, canvas.screen);
+    view.tools.update(&scene.derived.tools);
     draw::picture(&free, &frame, view);
     canvas::overlay(ui, &view.canvas, &canvas, scene.palette);
     events.push(CutEvent::Pointer(canvas.pointer.map(|p| (coordinates.document_z(p.z), coordinates.diameter(p.r)))));

@@ -14,6 +14,8 @@ use std::sync::Arc;
 const RAPID: &[f32] = &[3.0, 3.0];
 /// Strength of paths that are still to come.
 const TO_COME: f32 = 0.32;
+/// Paths smaller than this are left out, points.
+const DOT: f32 = 0.4;
 /// The pointer is on a path within this distance, points.
 const NEAR: f32 = 6.0;
 
@@ -119,8 +121,9 @@ fn run(derived: &SetupDerived, screen: &Screen, first: usize, chunk: &[Move]) ->
     let points = thinned(all.map(|p| screen.pos(p)));
     let bounds = Rect::from_points(&points).expand(1.0);
     let operation = operation_of(derived, m);
-    let moves_at_all = points.len() > 1;
-    moves_at_all.then(|| Run { block: BlockRef::of(m), first, rapid: is_rapid(m), operation, points, bounds })
+    // Runs that are no more than a dot on the screen are not seen.
+    let seen = bounds.width().max(bounds.height()) > 2.0 + DOT;
+    seen.then(|| Run { block: BlockRef::of(m), first, rapid: is_rapid(m), operation, points, bounds })
 }
 
 fn is_rapid(m: &Move) -> bool {

@@ -13,7 +13,6 @@ fn harness() -> Harness<'static, State> {
     let derived = sample::with_program(sample::derived(&sample::pawn()));
     let state = State { derived, view: CutView::default(), events: Vec::new() };
     let show = |ui: &mut Ui, state: &mut State| {
-        ui.ctx().set_missing_glyph_policy(egui::epaint::text::MissingGlyphPolicy::Tofu);
         let scene = CutScene {
             derived: &state.derived,
             unit: Unit::Mm,
@@ -25,7 +24,11 @@ fn harness() -> Harness<'static, State> {
         let events = cut_plot(ui, &mut state.view, &scene);
         state.events.extend(events.into_iter().filter(|e| !matches!(e, CutEvent::Pointer(_))));
     };
-    Harness::builder().with_size(Vec2::new(900.0, 500.0)).with_max_steps(20).build_ui_state(show, state)
+    Harness::builder()
+        .with_context_setup(crate::app::install_theme)
+        .with_size(Vec2::new(900.0, 500.0))
+        .with_max_steps(20)
+        .build_ui_state(show, state)
 }
 
 #[test]

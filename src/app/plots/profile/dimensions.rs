@@ -62,7 +62,7 @@ fn figures(frame: &Frame<'_>, full_section: bool) -> Vec<Figure> {
     figures.extend(full_section.then(|| bar_diameter(frame)));
     if let Some(section) = frame.scene.selected.and_then(|id| frame.section(id)) {
         figures.push(section_length(frame, section));
-        figures.extend(diameters(frame, section));
+        figures.extend(diameters(frame, section, full_section));
         figures.extend(radius(frame, section));
     }
     figures.retain(|figure| frame.free.contains(figure.at));
@@ -108,20 +108,31 @@ fn section_length(frame: &Frame<'_>, section: &Section) -> Figure {
     Figure { line: Some([from, to]), ..figure(frame, dimension, "", section.z2 - section.z1, name, at) }
 }
 
-/// The diameters at both ends, written below the centre line beside their positions.
-fn diameters(frame: &Frame<'_>, section: &Section) -> Vec<Figure> {
+/// The diameters at both ends: measured in the lower half, or without one written beside their nodes.
+fn diameters(frame: &Frame<'_>, section: &Section, full_section: bool) -> Vec<Figure> {
     let thread = matches!(section.kind, SectionKind::Thread { .. });
     let far = if thread { section.d1 } else { section.d2 };
     let ends = [(End::Start, section.z1, section.d1), (End::Finish, section.z2, far)];
     let shown = if thread { 1 } else { 2 };
-    ends.into_iter().take(shown).map(|(end, z, diameter)| end_diameter(frame, section.id, end, z, diameter)).collect()
+    let figure = |(end, z, diameter)| end_diameter(frame, SectionEnd { section: section.id, end }, z, diameter);
+    let mut figures: Vec<Figure> = ends.into_iter().take(shown).map(figure).collect();
+    if !full_section {
+        figures.iter_mut().for_each(raise_to_node);
+    }
+    figures
 }
 
-fn end_diameter(frame: &Frame<'_>, section: u32, end: End, z: f64, diameter: f64) -> Figure {
+/// With no lower half to hold its line, a diameter is written beside its node.
+fn raise_to_node(figure: &mut Figure) {
+    if let Some([axis, below]) = figure.line.take() {
+        figure.at.y = 2.0 * axis.y - below.y - AWAY;
+    }
+}
+
+fn end_diameter(frame: &Frame<'_>, end: SectionEnd, z: f64, diameter: f64) -> Figure {
     let [from, to] = [0.0, -diameter].map(|d| frame.screen.pos(frame.coordinates.point(z, d)));
     let axis = from + Vec2::new(0.0, AWAY);
-    let at = axis + if end == End::Start { Vec2::new(-30.0, 0.0) } else { Vec2::new(30.0, 0.0) };
-    let end = SectionEnd { section, end };
+    let at = axis + if end.end == End::Start { Vec2::new(-30.0, 0.0) } else { Vec2::new(30.0, 0.0) };
     let name = format!("Diameter at the {}", end_name(frame, end));
     Figure { line: Some([from, to]), ..figure(frame, Dimension::Diameter(end), "⌀ ", diameter, name, at) }
 }

@@ -1,7 +1,7 @@
 //! What is drawn under the handles: stock, chuck, part, threads, centre line.
 
 use super::hatch::hatches;
-use super::{Frame, ProfileScene};
+use super::{Frame, ProfileScene, ProfileView};
 use crate::app::plots::canvas::Screen;
 use crate::app::plots::lines::{CENTRE_LINE, DASHED, dashed, faded, thinned};
 use crate::app::plots::palette::Palette;
@@ -10,11 +10,14 @@ use crate::geometry::{Bounds, Point};
 use crate::machine::Chuck;
 use crate::part::Setup;
 use egui::{Painter, Rect, Shape, Stroke};
+use std::sync::Arc;
 
 /// Width of the part's edge, points.
 pub(in crate::app::plots) const EDGE: f32 = 1.8;
 /// Width of the line of a section that is selected or under the pointer, points.
 const LIT: f32 = 3.0;
+/// Chords of the stock's outline are this near to its arcs, mm.
+const STOCK_CHORDS_MM: f64 = 0.005;
 /// Share of the part's length that the chuck takes in a fitted view.
 const CHUCK_SHOWN: f64 = 0.12;
 
@@ -27,10 +30,12 @@ pub(in crate::app::plots) fn shown_bounds(setup: &Setup, full_section: bool) -> 
 }
 
 /// Draws everything that cannot be taken hold of.
-pub(super) fn scenery(painter: &Painter, frame: &Frame<'_>, full_section: bool) {
+pub(super) fn scenery(painter: &Painter, frame: &Frame<'_>, view: &mut ProfileView) {
+    let full_section = view.full_section;
     let (scene, screen) = (frame.scene, &frame.screen);
     let setup = &scene.derived.setup;
-    stock(painter, screen, setup, scene.palette, full_section);
+    view.stock.update(setup);
+    view.stock.draw(painter, screen, scene.palette, full_section);
     part(painter, screen, scene, full_section);
     hatches(painter, frame);
     threads(painter, screen, setup, scene.palette, full_section);
@@ -51,19 +56,38 @@ fn lit_section(painter: &Painter, frame: &Frame<'_>, id: u32, strength: f32) {
     }
 }
 
-fn stock(painter: &Painter, screen: &Screen, setup: &Setup, palette: &Palette, full_section: bool) {
-    let outline = setup.stock.polyline(screen.tolerance());
-    let region = Triangles::of(std::slice::from_ref(&outline));
-    let edge = Stroke::new(1.0, palette.stock_edge);
-    // The stock explains the part and stays behind it.
-    let fill = faded(palette.stock, 0.6);
-    region.fill(painter, screen, fill);
-    let above = from_axis_to_axis(outline.split_last().map_or(&[][..], |(_, ring)| ring));
-    dashed(painter, &on_screen(screen, &above), DASHED, edge);
-    if full_section {
-        region.fill_mirrored(painter, screen, fill);
-        let below: Vec<Point> = above.iter().copied().map(mirrored).collect();
-        dashed(painter, &on_screen(screen, &below), DASHED, edge);
+/// The stock of one set-up ready to be drawn.
+#[derive(Debug, Default)]
+pub(super) struct Stock {
+    made_for: Option<Arc<Setup>>,
+    region: Triangles,
+    /// Its outline from the axis to the axis.
+    outline: Vec<Point>,
+}
+
+impl Stock {
+    fn update(&mut self, setup: &Arc<Setup>) {
+        if self.made_for.as_ref().is_some_and(|made| Arc::ptr_eq(made, setup)) {
+            return;
+        }
+        let mut ring = setup.stock.polyline(STOCK_CHORDS_MM);
+        ring.pop();
+        self.region = Triangles::of(std::slice::from_ref(&ring));
+        self.outline = from_axis_to_axis(&ring);
+        self.made_for = Some(Arc::clone(setup));
+    }
+
+    fn draw(&self, painter: &Painter, screen: &Screen, palette: &Palette, full_section: bool) {
+        let edge = Stroke::new(1.0, palette.stock_edge);
+        // The stock explains the part and stays behind it.
+        let fill = faded(palette.stock, 0.6);
+        self.region.fill(painter, screen, fill);
+        dashed(painter, &on_screen(screen, &self.outline), DASHED, edge);
+        if full_section {
+            self.region.fill_mirrored(painter, screen, fill);
+            let below: Vec<Point> = self.outline.iter().copied().map(mirrored).collect();
+            dashed(painter, &on_screen(screen, &below), DASHED, edge);
+        }
     }
 }
 

@@ -54,6 +54,7 @@ pub struct ProfileView {
     pub dimensions: bool,
     drag: Option<Drag>,
     typing: Option<Typing>,
+    stock: draw::Stock,
     /// What was last said to be under the pointer.
     hovered: Option<u32>,
 }
@@ -69,7 +70,8 @@ impl ProfileView {
 impl Default for ProfileView {
     fn default() -> Self {
         let canvas = CanvasView::default();
-        Self { canvas, full_section: true, dimensions: true, drag: None, typing: None, hovered: None }
+        let stock = draw::Stock::default();
+        Self { canvas, full_section: true, dimensions: true, drag: None, typing: None, stock, hovered: None }
     }
 }
 
@@ -152,7 +154,7 @@ pub fn profile_plot(ui: &mut Ui, view: &mut ProfileView, scene: &ProfileScene<'_
     Rulers { coordinates, grid: true, mirrored: view.full_section }.draw(&painter, &canvas.screen, scene.palette);
     let free = Rulers::free(canvas.response.rect);
     let frame = Frame { scene, screen: canvas.screen, coordinates, free, id: canvas.response.id };
-    draw::scenery(&painter.with_clip_rect(free), &frame, view.full_section);
+    draw::scenery(&painter.with_clip_rect(free), &frame, view);
     let mut events = Vec::new();
     let over_empty = canvas.response.hovered();
     point_at(&frame, view, &canvas, over_empty, &mut events);

@@ -14,7 +14,6 @@ struct State {
 fn harness() -> Harness<'static, State> {
     let state = State { part: sample::pawn(), view: ProfileView::default(), selected: Some(3), events: Vec::new() };
     let show = |ui: &mut Ui, state: &mut State| {
-        ui.ctx().set_missing_glyph_policy(egui::epaint::text::MissingGlyphPolicy::Tofu);
         let derived = sample::derived(&state.part);
         let scene = ProfileScene {
             derived: &derived,
@@ -36,7 +35,11 @@ fn harness() -> Harness<'static, State> {
             }
         }
     };
-    Harness::builder().with_size(Vec2::new(900.0, 500.0)).with_max_steps(20).build_ui_state(show, state)
+    Harness::builder()
+        .with_context_setup(crate::app::install_theme)
+        .with_size(Vec2::new(900.0, 500.0))
+        .with_max_steps(20)
+        .build_ui_state(show, state)
 }
 
 #[test]
