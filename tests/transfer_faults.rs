@@ -311,17 +311,17 @@ mod pseudo_terminal {
     use turnwright::transfer::virtual_lathe::{LatheEvent, PtyOptions, run_on_pty};
 
     /// Runs `use_port` while a lathe serves a pseudo-terminal; the lathe ends with it.
-    fn with_lathe<T>(options: PtyOptions, use_port: impl FnOnce(String) -> T) -> T {
+    fn with_lathe<T>(profile: &SerialProfile, options: PtyOptions, use_port: impl FnOnce(String) -> T) -> T {
         let cancel = Cancel::default();
         let (sender, ready) = mpsc::channel();
-        let for_lathe = cancel.clone();
+        let (for_lathe, profile) = (cancel.clone(), profile.clone());
         let lathe = thread::spawn(move || {
             let mut tell = |event| {
                 if let LatheEvent::Ready { port } = event {
                     sender.send(port).unwrap();
                 }
             };
-            run_on_pty(&profile(), &options, &mut tell, &for_lathe)
+            run_on_pty(&profile, &options, &mut tell, &for_lathe)
         });
         let result = use_port(ready.recv_timeout(HANG).expect("the lathe is ready"));
         cancel.cancel();
@@ -336,7 +336,7 @@ mod pseudo_terminal {
     #[test]
     fn every_fault_is_told_on_a_pseudo_terminal() {
         run_table("pseudo-terminal", |faults, task, timing| {
-            with_lathe(unpaced(faults), |port| outcome(start(task, Port::Serial(port), timing)))
+            with_lathe(&profile(), unpaced(faults), |port| outcome(start(task, Port::Serial(port), timing)))
         });
     }
 
@@ -346,7 +346,7 @@ mod pseudo_terminal {
         let link = folder.path().join("lathe");
         std::os::unix::fs::symlink("/nowhere", &link).unwrap();
         let options = PtyOptions { link: Some(link.clone()), ..unpaced("") };
-        with_lathe(options, |port| {
+        with_lathe(&profile(), options, |port| {
             assert_eq!(port, link.display().to_string());
             let run = |task| outcome(start(task, Port::Serial(port.clone()), PATIENT));
             for pages in [12, 99] {
@@ -355,6 +355,34 @@ mod pseudo_terminal {
             }
         });
         assert!(link.symlink_metadata().is_err(), "the link stays behind");
+    }
+
+    #[test]
+    fn paced_on_both_sides() {
+        let fast = SerialProfile { baud: 115_200, ..profile() };
+        let mut request = request(send(program(12), true), Port::Serial(String::new()), PATIENT);
+        request.profile = fast.clone();
+        request.unpaced = false;
+        let outcome = with_lathe(&fast, PtyOptions::default(), |port| {
+            request.port = Port::Serial(port);
+            outcome(Job::start(request, &Cancel::default(), || ()))
+        });
+        assert_eq!(outcome, Outcome::Verified);
+    }
+
+    #[test]
+    fn an_aborted_receive_leaves_nothing_that_passes_for_a_program() {
+        with_lathe(&profile(), unpaced("delay=1ms"), |port| {
+            let run = |task| outcome(start(task, Port::Serial(port.clone()), PATIENT));
+            assert_eq!(run(send(program(60), false)), Outcome::SentNotVerified);
+            let mut job = start(Task::Receive, Port::Serial(port.clone()), PATIENT);
+            while job.next(HANG).is_some_and(|event| event != Event::State(State::Receiving)) {}
+            job.abort();
+            assert_eq!(outcome(job), Outcome::Aborted);
+            let again = run(Task::Receive);
+            let whole = Outcome::Received { text: program(60), problems: Vec::new() };
+            assert!(again == whole || !again.is_good(), "{again:?}");
+        });
     }
 
     #[test]
@@ -370,7 +398,7 @@ mod pseudo_terminal {
 
     #[test]
     fn settings_that_the_driver_did_not_take_are_told() {
-        let log = with_lathe(unpaced(""), |port| {
+        let log = with_lathe(&profile(), unpaced(""), |port| {
             let mut log = String::new();
             let job = start(send(program(1), false), Port::Serial(port), PATIENT);
             job.run_to_end(&mut |event| {

@@ -3,7 +3,6 @@
 use super::job::{Event, Job, Outcome, Request, Task, Timing};
 use super::ports::Port;
 use super::virtual_lathe::VirtualLathe;
-#[cfg(all(unix, feature = "serial"))]
 pub use super::virtual_lathe::{PtyOptions, run_on_pty as lathe};
 use crate::cancel::Cancel;
 use crate::machine::SerialProfile;

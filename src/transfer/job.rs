@@ -175,7 +175,7 @@ impl fmt::Display for Outcome {
                 write!(f, "Received {} bytes.", text.len())?;
                 problems.iter().try_for_each(|problem| write!(f, "\n  {problem}"))
             }
-            Self::Aborted => f.write_str("Aborted. The control may hold part of the program."),
+            Self::Aborted => f.write_str("Aborted."),
             Self::Failed(reason) => f.write_str(reason),
         }
     }

@@ -45,6 +45,7 @@ fn begin(request: Request, cancel: Cancel, tell: Tell<'_>) -> Result<Outcome, Ou
     let port = PortThread::start(port, profile.clone(), unpaced);
     let mut worker = Worker {
         port,
+        character_time: (!unpaced).then(|| line::character_time(&profile)),
         profile,
         cancel,
         timing,
@@ -57,10 +58,14 @@ fn begin(request: Request, cancel: Cancel, tell: Tell<'_>) -> Result<Outcome, Ou
         sent_log: Gatherer::new(Direction::Sent),
         received_log: Gatherer::new(Direction::Received),
     };
+    let is_sending = sender.is_some();
     let result = worker.run(task, sender);
     worker.finish_log();
     if result == Err(Outcome::Aborted) {
         worker.port.discard();
+        if is_sending {
+            worker.note("Aborted; the control may hold part of the program.".to_owned());
+        }
     }
     worker.port.close();
     result
@@ -69,6 +74,8 @@ fn begin(request: Request, cancel: Cancel, tell: Tell<'_>) -> Result<Outcome, Ou
 struct Worker<'a> {
     port: PortThread,
     profile: SerialProfile,
+    /// None if unpaced.
+    character_time: Option<Duration>,
     cancel: Cancel,
     timing: Timing,
     ask_to_send: bool,
@@ -97,12 +104,14 @@ impl Worker<'_> {
     }
 
     fn wait_until_open(&mut self) -> Result<(), Outcome> {
-        loop {
+        while self.now() < self.timing.stuck {
             if let Some(PortEvent::Opened(remarks)) = self.next(LOOK)? {
                 remarks.into_iter().for_each(|remark| self.note(remark));
                 return Ok(());
             }
         }
+        let waited = self.timing.stuck.as_secs_f64();
+        Err(Outcome::Failed(format!("The port did not open within {waited} s. Check the cable or adapter.")))
     }
 
     fn send(&mut self, name: &str, text: &str, mut sender: Sender, verify: bool) -> Result<Outcome, Outcome> {
@@ -137,15 +146,9 @@ impl Worker<'_> {
                 Some(PortEvent::Wrote(bytes)) => {
                     writing = false;
                     sender.written(bytes.len(), self.now());
-                    let lines = self.sent_log.add(&bytes, self.profile.end, self.now());
-                    self.log(lines);
                     self.progress(sending(sender, self.now()), false);
                 }
-                Some(PortEvent::Read(bytes)) => {
-                    let lines = self.received_log.add(&bytes, self.profile.end, self.now());
-                    self.log(lines);
-                    sender.received(&bytes, self.now());
-                }
+                Some(PortEvent::Read(bytes)) => sender.received(&bytes, self.now()),
                 _ => {}
             }
         }
@@ -158,9 +161,9 @@ impl Worker<'_> {
         loop {
             match self.next(LOOK)? {
                 Some(PortEvent::Queued(0)) => return Ok(()),
-                Some(PortEvent::Queued(_)) => self.port.ask_queued(),
                 Some(PortEvent::Read(bytes)) => self.early.extend(bytes),
-                _ => {}
+                Some(_) => {}
+                None => self.port.ask_queued(),
             }
             if self.now().saturating_sub(since) >= self.timing.stuck {
                 return Err(Outcome::Failed(format!(
@@ -222,21 +225,25 @@ impl Worker<'_> {
         if before == 0 && receiver.bytes() > 0 {
             (self.tell)(Event::State(State::Receiving));
         }
-        let lines = self.received_log.add(bytes, self.profile.end, self.now());
-        self.log(lines);
-        self.progress(receiving(receiver, expected, &self.profile, self.now()), false);
+        self.progress(receiving(receiver, expected, self.character_time, self.now()), false);
     }
 
     /// The next event of the port, none within `wait`. Abort and failure come as errors.
-    fn next(&self, wait: Duration) -> Result<Option<PortEvent>, Outcome> {
+    fn next(&mut self, wait: Duration) -> Result<Option<PortEvent>, Outcome> {
         if self.cancel.is_cancelled() {
             return Err(Outcome::Aborted);
         }
-        match self.port.next(wait) {
-            _ if self.cancel.is_cancelled() => Err(Outcome::Aborted),
-            Some(PortEvent::Failed(reason)) => Err(Outcome::Failed(reason)),
-            event => Ok(event),
-        }
+        let event = self.port.next(wait);
+        let (now, end) = (self.now(), self.profile.end);
+        let lines = match &event {
+            _ if self.cancel.is_cancelled() => return Err(Outcome::Aborted),
+            Some(PortEvent::Failed(reason)) => return Err(Outcome::Failed(reason.clone())),
+            Some(PortEvent::Wrote(bytes)) => self.sent_log.add(bytes, end, now),
+            Some(PortEvent::Read(bytes)) => self.received_log.add(bytes, end, now),
+            _ => Vec::new(),
+        };
+        self.log(lines);
+        Ok(event)
     }
 
     fn now(&self) -> Duration {
@@ -275,16 +282,16 @@ fn sending(sender: &Sender, now: Duration) -> Progress {
 fn receiving(
     receiver: &Receiver,
     expected: Option<(usize, usize)>,
-    profile: &SerialProfile,
+    character_time: Option<Duration>,
     now: Duration,
 ) -> Progress {
-    let left = expected.map(|(bytes, _)| bytes.saturating_sub(receiver.bytes()));
+    let left = expected.and_then(|(bytes, _)| u32::try_from(bytes.saturating_sub(receiver.bytes())).ok());
     Progress {
         bytes: receiver.bytes(),
         bytes_total: expected.map(|(bytes, _)| bytes),
         block: receiver.pages(),
         blocks_total: expected.map(|(_, blocks)| blocks),
         elapsed: now,
-        eta: left.map(|left| line::character_time(profile) * u32::try_from(left).unwrap_or(u32::MAX)),
+        eta: left.zip(character_time).map(|(left, time)| time * left),
     }
 }

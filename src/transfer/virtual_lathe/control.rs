@@ -193,6 +193,19 @@ impl Control {
 mod tests {
     use super::*;
     use crate::transfer::line::tests::orac_profile;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn noise_never_breaks_it(bytes in prop::collection::vec(prop::sample::select(vec![2u8, 4, 17, 0, 65, 255]), 0..400)) {
+            let mut control = control("drop=5%,duplicate=5%,answer-duplicate=5%");
+            let mut answered = 0;
+            for chunk in bytes.chunks(7) {
+                answered += answer_to(&mut control, chunk).len();
+            }
+            prop_assert!(answered <= bytes.len() * bytes.len());
+        }
+    }
 
     const TEXT: &[u8] = b"\x02PAGE 01 MM-UNITS\r\n\x02PAGE 02 END-PROGRAM..M02\r\n\x04";
 

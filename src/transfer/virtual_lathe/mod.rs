@@ -14,8 +14,9 @@ use crate::machine::SerialProfile;
 use control::Control;
 pub use faults::{BadFault, ByteFault, ByteFaultKind, FaultSpec, When};
 #[cfg(all(unix, feature = "serial"))]
-pub use pty::{PtyOptions, run_on_pty};
+pub use pty::run_on_pty;
 use std::fmt;
+use std::path::PathBuf;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -67,6 +68,33 @@ impl fmt::Display for LatheEvent {
             Self::Unplugged => f.write_str("Unplugged by a fault."),
         }
     }
+}
+
+/// How to run a virtual lathe on a pseudo-terminal.
+#[derive(Debug, Clone, Default)]
+pub struct PtyOptions {
+    /// A symbolic link to make to the port; replaced if it is a symbolic link already, removed at the end.
+    pub link: Option<PathBuf>,
+    /// What goes wrong.
+    pub faults: FaultSpec,
+    /// Do not keep to the speed of the line.
+    pub unpaced: bool,
+}
+
+/// There are no pseudo-terminals here.
+///
+/// # Errors
+/// Always: a sentence that says so.
+#[cfg(not(all(unix, feature = "serial")))]
+pub fn run_on_pty(
+    _profile: &SerialProfile,
+    _options: &PtyOptions,
+    _on_event: &mut dyn FnMut(LatheEvent),
+    _cancel: &Cancel,
+) -> Result<(), String> {
+    Err("This Turnwright cannot offer its virtual lathe to other programs: that needs Unix and the feature `serial`. \
+         Use the port `virtual`."
+        .to_owned())
 }
 
 /// What outlives a connection.

@@ -1,6 +1,6 @@
 //! The virtual lathe on a pseudo-terminal, for other processes.
 
-use super::{Control, FaultSpec, LatheEvent, VirtualLathe, serve};
+use super::{Control, LatheEvent, PtyOptions, VirtualLathe, serve};
 use crate::cancel::Cancel;
 use crate::machine::SerialProfile;
 use crate::transfer::line;
@@ -10,17 +10,6 @@ use std::fs;
 use std::io::ErrorKind;
 use std::os::unix::fs::symlink;
 use std::path::{Path, PathBuf};
-
-/// How to run a virtual lathe on a pseudo-terminal.
-#[derive(Debug, Clone, Default)]
-pub struct PtyOptions {
-    /// A symbolic link to make to the port; replaced if it is a symbolic link already, removed at the end.
-    pub link: Option<PathBuf>,
-    /// What goes wrong.
-    pub faults: FaultSpec,
-    /// Do not keep to the speed of the line.
-    pub unpaced: bool,
-}
 
 /// Serves until cancelled or unplugged by a fault. The first event is [`LatheEvent::Ready`] with the port to use.
 ///
@@ -41,9 +30,18 @@ pub fn run_on_pty(
     on_event(LatheEvent::Ready { port });
     let lathe = VirtualLathe::new(options.faults.clone());
     let control = Control::new(lathe.clone(), profile, options.unpaced);
-    let mut tell = || lathe.take_events().into_iter().for_each(&mut *on_event);
+    let mut tell = || {
+        lathe.take_events().into_iter().for_each(&mut *on_event);
+        forget_exclusive_use(&slave);
+    };
     serve(&mut SerialLink::new(master), control, cancel, &mut tell);
     Ok(())
+}
+
+/// A program that was killed leaves its mark of exclusive use on the terminal as long as the slave is open here, and no
+/// other program could open it. Closing a second handle takes the mark away.
+fn forget_exclusive_use(slave: &TTYPort) {
+    drop(slave.try_clone_native());
 }
 
 /// A symbolic link that goes when this does.
