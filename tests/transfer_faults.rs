@@ -1,6 +1,13 @@
 //! Every fault of a transfer ends in an outcome that tells of it: none in a silent success, none in a hang.
 //!
 //! `cargo test --test transfer_faults -- --nocapture` prints the fault table.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::print_stdout,
+    reason = "helpers of tests fail like tests, and the fault table is printed"
+)]
 
 use std::io;
 use std::thread;
@@ -371,6 +378,23 @@ mod pseudo_terminal {
     }
 
     #[test]
+    fn an_old_answer_does_not_verify_a_new_program() {
+        let text = program(1);
+        // The first program, the send key, and 50 bytes of the second program.
+        let options = unpaced(&format!("drop@{}", text.len() + 2 + 50));
+        let second = with_lathe(&profile(), options, |port| {
+            let run = |verify| outcome(start(send(text.clone(), verify), Port::Serial(port.clone()), PATIENT));
+            assert_eq!(run(false), Outcome::SentNotVerified);
+            let mut careless = serialport::new(&port, 2400).open().unwrap();
+            assert_eq!(careless.write(&[0x11]).unwrap(), 1);
+            thread::sleep(Duration::from_millis(100));
+            drop(careless);
+            run(true)
+        });
+        assert!(Expected::Different.is(&second), "{second:?}");
+    }
+
+    #[test]
     fn an_aborted_receive_leaves_nothing_that_passes_for_a_program() {
         with_lathe(&profile(), unpaced("delay=1ms"), |port| {
             let run = |task| outcome(start(task, Port::Serial(port.clone()), PATIENT));
@@ -403,7 +427,7 @@ mod pseudo_terminal {
             let job = start(send(program(1), false), Port::Serial(port), PATIENT);
             job.run_to_end(&mut |event| {
                 if let Event::Log(line) = event {
-                    log += &line.text
+                    log += &line.text;
                 }
             });
             log

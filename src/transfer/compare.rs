@@ -113,7 +113,7 @@ fn changed(page: usize, sent: &str, received: &str) -> Difference {
     let (a, b) = (sent.as_bytes(), received.as_bytes());
     let place = a.iter().zip(b).take_while(|(x, y)| x == y).count();
     let before = &a[..place];
-    let line = before.iter().filter(|&&c| c == b'\n').count();
+    let line = before.split(|&c| c == b'\n').count() - 1;
     let column = before.iter().rev().take_while(|&&c| c != b'\n').count() + 1;
     let line_of = |text: &str| shortened(text.split_inclusive('\n').nth(line).unwrap_or_default());
     let blanks_only = same(sent, received, Blanks::Ignored);

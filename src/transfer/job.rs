@@ -81,7 +81,7 @@ pub struct Timing {
 
 impl Default for Timing {
     fn default() -> Self {
-        Self { first: Duration::from_secs(60), idle: Duration::from_secs(5), stuck: Duration::from_secs(10) }
+        Self { first: Duration::from_mins(1), idle: Duration::from_secs(5), stuck: Duration::from_secs(10) }
     }
 }
 

@@ -128,11 +128,11 @@ impl Settings {
     /// A sentence for every setting that reads back differently.
     fn not_taken(&self, port: &dyn SerialPort) -> Vec<String> {
         [
-            differs("speed (baud)", self.baud, port.baud_rate()),
-            differs("number of data bits", self.data_bits, port.data_bits()),
-            differs("parity", self.parity, port.parity()),
-            differs("number of stop bits", self.stop_bits, port.stop_bits()),
-            differs("flow control", self.flow, port.flow_control()),
+            differs("speed (baud)", &self.baud, port.baud_rate()),
+            differs("number of data bits", &self.data_bits, port.data_bits()),
+            differs("parity", &self.parity, port.parity()),
+            differs("number of stop bits", &self.stop_bits, port.stop_bits()),
+            differs("flow control", &self.flow, port.flow_control()),
         ]
         .into_iter()
         .flatten()
@@ -140,9 +140,9 @@ impl Settings {
     }
 }
 
-fn differs<T: PartialEq + Debug>(what: &str, wanted: T, taken: serialport::Result<T>) -> Option<String> {
+fn differs<T: PartialEq + Debug>(what: &str, wanted: &T, taken: serialport::Result<T>) -> Option<String> {
     match taken {
-        Ok(taken) if taken == wanted => None,
+        Ok(taken) if taken == *wanted => None,
         Ok(taken) => Some(format!("The port did not take the {what}: {wanted:?} was asked for, {taken:?} is set.")),
         Err(_) => Some(format!("The port does not tell its {what}; {wanted:?} was asked for.")),
     }

@@ -20,6 +20,9 @@ const PROGRESS_EVERY: Duration = Duration::from_millis(50);
 /// After the last byte of a program the port is watched this long for a late failure, such as a pulled plug.
 const SETTLE: Duration = Duration::from_millis(100);
 
+/// Longest time for reading away what came before the transfer; it ends as soon as nothing more comes.
+const STALE: Duration = Duration::from_secs(1);
+
 type Tell<'a> = &'a dyn Fn(Event);
 
 /// Runs a transfer; the last event is its outcome.
@@ -92,6 +95,9 @@ struct Worker<'a> {
 impl Worker<'_> {
     fn run(&mut self, task: Task, sender: Option<Sender>) -> Result<Outcome, Outcome> {
         self.wait_until_open()?;
+        if task != Task::Receive {
+            self.drop_stale()?;
+        }
         match (task, sender) {
             (Task::Send { name, text, verify }, Some(sender)) => self.send(&name, &text, sender, verify),
             (Task::Compare { sent } | Task::Send { text: sent, .. }, _) => self.receive_and_compare(&sent),
@@ -106,12 +112,30 @@ impl Worker<'_> {
     fn wait_until_open(&mut self) -> Result<(), Outcome> {
         while self.now() < self.timing.stuck {
             if let Some(PortEvent::Opened(remarks)) = self.next(LOOK)? {
-                remarks.into_iter().for_each(|remark| self.note(remark));
+                for remark in remarks {
+                    self.note(remark);
+                }
                 return Ok(());
             }
         }
         let waited = self.timing.stuck.as_secs_f64();
         Err(Outcome::Failed(format!("The port did not open within {waited} s. Check the cable or adapter.")))
+    }
+
+    /// Reads away what the control sent before it was asked: an old answer must not be compared with a new program.
+    fn drop_stale(&mut self) -> Result<(), Outcome> {
+        let until = self.now() + STALE;
+        let mut stale = 0;
+        while self.now() < until {
+            match self.next(LOOK)? {
+                Some(PortEvent::Read(bytes)) => stale += bytes.len(),
+                _ => break,
+            }
+        }
+        if stale > 0 {
+            self.note(format!("{stale} bytes that came from the control before the transfer were dropped."));
+        }
+        Ok(())
     }
 
     fn send(&mut self, name: &str, text: &str, mut sender: Sender, verify: bool) -> Result<Outcome, Outcome> {

@@ -160,7 +160,7 @@ mod tests {
     use crate::transfer::line::tests::orac_profile;
     use proptest::prelude::*;
 
-    const FIRST: Duration = Duration::from_secs(60);
+    const FIRST: Duration = Duration::from_mins(1);
     const IDLE: Duration = Duration::from_secs(5);
 
     fn receiver() -> Receiver {

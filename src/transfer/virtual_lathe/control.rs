@@ -91,6 +91,7 @@ impl Control {
         match &mut self.incoming {
             None if byte == self.profile.page_start => {
                 self.lathe.lock().program = None;
+                self.answer.clear();
                 self.incoming = Some(vec![byte]);
             }
             None => self.asked |= byte == DC1,

@@ -148,7 +148,7 @@ impl FaultSpec {
 
 fn parse_time(text: &str) -> Option<Duration> {
     /// Longer pauses look like a hang.
-    const LONGEST: Duration = Duration::from_secs(60);
+    const LONGEST: Duration = Duration::from_mins(1);
     let time = match text.strip_suffix("ms") {
         Some(number) => Duration::from_millis(number.parse().ok()?),
         None => Duration::from_secs(text.strip_suffix('s')?.parse().ok()?),
