@@ -379,9 +379,10 @@ mod pseudo_terminal {
 
     #[test]
     fn an_old_answer_does_not_verify_a_new_program() {
-        let text = program(1);
-        // The first program, the send key, and 50 bytes of the second program.
-        let options = unpaced(&format!("drop@{}", text.len() + 2 + 50));
+        // So short that it is out in one write, before any old answer was read.
+        let text = "\x02PAGE 01 END-PROGRAM..M02\r\n".to_owned();
+        // The first program, the send key, and ten bytes of the second program.
+        let options = unpaced(&format!("drop@{}", text.len() + 2 + 10));
         let second = with_lathe(&profile(), options, |port| {
             let run = |verify| outcome(start(send(text.clone(), verify), Port::Serial(port.clone()), PATIENT));
             assert_eq!(run(false), Outcome::SentNotVerified);

@@ -5,7 +5,7 @@
 //! | [`orac`] | the protocol as pure state machines: bytes and times in, bytes and verdicts out |
 //! | [`job`] | the worker that drives one transfer: progress, log, abort, exactly one [`Outcome`] |
 //! | [`link`] | what bytes travel over: a serial port or a pipe in this process |
-//! | [`ports`] | what can be chosen as a port, and opening it |
+//! | [`ports`](mod@ports) | what can be chosen as a port, and opening it |
 //! | [`virtual_lathe`] | a lathe without metal, with a fault switch |
 //! | [`compare`](mod@compare) | what was sent against what came back, page by page |
 //! | [`commands`] | `send`, `receive` and `lathe` for the command line |
