@@ -14,6 +14,7 @@ mod section_row;
 mod setups;
 mod shape;
 mod split;
+mod sweep;
 
 #[cfg(test)]
 mod fixtures;
@@ -21,6 +22,6 @@ mod fixtures;
 pub use biarc::contour;
 pub use check::check;
 pub use profile::{Curve, Parabola, ParabolaAxis, PartContour, Piece, PieceRole, Profile, Setup, ThreadSpec};
-pub use reach::UnreachableArea;
+pub use reach::{IGNORED_HEIGHT_MM, UnreachableArea, unreachable};
 pub use section::{Section, SectionKind};
 pub use setups::{PART_OFF_WIDTH_MM, setups};

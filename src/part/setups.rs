@@ -300,8 +300,14 @@ mod tests {
 
     mod random_tables {
         use super::*;
+        use crate::machine::{Catalog, ToolOutline, outlines};
         use crate::units::Unit;
         use proptest::prelude::*;
+        use std::collections::BTreeMap;
+        use std::sync::LazyLock;
+
+        static TOOLS: LazyLock<BTreeMap<u32, ToolOutline>> =
+            LazyLock::new(|| outlines(&fixtures::orac(), &Catalog::shipped()));
 
         fn figure() -> impl Strategy<Value = f64> {
             prop_oneof![
@@ -365,7 +371,7 @@ mod tests {
         }
 
         proptest! {
-            #![proptest_config(ProptestConfig::with_cases(400))]
+            #![proptest_config(ProptestConfig::with_cases(200))]
 
             #[test]
             fn every_table_is_checked_and_gives_sound_profiles(part in any_part()) {
@@ -375,6 +381,8 @@ mod tests {
                 }
                 for setup in made(&part).0 {
                     assert_sound(&setup);
+                    let areas = crate::part::unreachable(&setup, &TOOLS, &fixtures::orac());
+                    assert!(areas.iter().flat_map(|area| &area.outline).all(|p| p.is_finite()));
                 }
             }
         }
