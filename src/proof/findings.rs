@@ -44,6 +44,11 @@ impl Breach {
         Self { severity: Severity::Warning, ..self }
     }
 
+    /// The same as a mere note.
+    pub(super) fn as_info(self) -> Self {
+        Self { severity: Severity::Info, ..self }
+    }
+
     /// The same at a place.
     pub(super) fn at(self, at: Point) -> Self {
         Self { at: Some(at), ..self }

@@ -3,11 +3,18 @@
 //! Shares nothing with the generators and posts but geometry, machine data and the shape of the data.
 //!
 //! The way of a program: [`reader`] (text to blocks) → `structure` (numbering, pairs) → `control` (runs the blocks as the
-//! control would) → `limits` (what the machine can do) and `record` (times, playback) → [`ProofReport`].
+//! control would) → `limits` (what the machine can do), `judge` (cuts the stock by `cut`, measures against `form`, and at the
+//! end the `leftover`) and `record` (times, playback) → [`ProofReport`].
 
+mod compare;
 mod control;
+mod cut;
 mod findings;
+mod form;
 mod input;
+mod json;
+mod judge;
+mod leftover;
 mod limits;
 mod prove;
 pub mod reader;
@@ -15,7 +22,9 @@ mod record;
 mod report;
 mod structure;
 
+pub use compare::{Change, compare};
 pub use input::{MayCut, ProofInput, Work};
+pub use json::{path_json, proof_json};
 pub use prove::prove;
 pub use report::{
     BlockReport, Finding, FindingKind, Leftover, Motion, Move, ProgramText, ProofReport, StockState, Target, Times,

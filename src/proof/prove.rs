@@ -3,6 +3,7 @@
 use super::control::{Control, Sink, Step, Thread};
 use super::findings::{Breach, Findings, Place};
 use super::input::ProofInput;
+use super::judge::Judge;
 use super::reader::{self, Listing};
 use super::record::{Played, Record};
 use super::report::{FindingKind, Motion, ProofReport, StockState};
@@ -34,9 +35,16 @@ pub fn prove(input: &ProofInput, cancel: &Cancel) -> Result<ProofReport, Cancell
         control.datum = None;
         control.run(listing, &structure, program, &mut findings, &mut run)?;
         let next_sets_datum = listings.get(program + 1).is_none_or(sets_datum_first);
+        if let Some(judge) = &mut run.judge {
+            judge.end_program(&mut findings);
+        }
         check_closed(&control, Place { program, block: listing.blocks.len().max(1) }, next_sets_datum, &mut findings);
     }
-    Ok(report(run, findings, &names))
+    let last = Place {
+        program: listings.len().saturating_sub(1),
+        block: listings.last().map_or(1, |l| l.blocks.len().max(1)),
+    };
+    Ok(report(run, findings, last, &names))
 }
 
 fn zero_z(input: &ProofInput) -> f64 {
@@ -86,20 +94,24 @@ fn check_closed(control: &Control, place: Place, next_sets_datum: bool, findings
     findings.add(place, if next_sets_datum { breach.as_warning() } else { breach });
 }
 
-fn report(run: Run<'_>, findings: Findings, names: &[String]) -> ProofReport {
-    let findings = findings.in_order(names);
+fn report(run: Run<'_>, mut findings: Findings, last: Place, names: &[String]) -> ProofReport {
     let mut record = run.record;
-    record.finish(StockState::default());
+    let mut report = ProofReport::default();
+    if let Some(judge) = run.judge {
+        record.finish(judge.stock().state());
+        report.leftover = judge.leftover(last, &mut findings);
+        report.deepest_gouge_mm = judge.deepest_gouge_mm();
+    }
+    let findings = findings.in_order(names);
     ProofReport {
         passed: findings.iter().all(|f| f.severity != Severity::Error),
         findings,
         times: record.times,
         largest_chip_mm2: record.blocks.iter().map(|b| b.chip_mm2).fold(0.0, f64::max),
-        deepest_gouge_mm: 0.0,
-        leftover: Vec::new(),
         blocks: record.blocks,
         moves: record.moves,
         stock: record.stock,
+        ..report
     }
 }
 
@@ -109,6 +121,7 @@ struct Run<'a> {
     cancel: &'a Cancel,
     program: usize,
     record: Record,
+    judge: Option<Judge<'a>>,
     travel: limits::Travel,
     tool: Option<u32>,
     at: Point,
@@ -116,11 +129,14 @@ struct Run<'a> {
 
 impl<'a> Run<'a> {
     fn new(input: &'a ProofInput, cancel: &'a Cancel) -> Self {
+        let judge = Judge::new(input);
+        let stock = judge.as_ref().map_or_else(StockState::default, |judge| judge.stock().state());
         Self {
             input,
             cancel,
             program: 0,
-            record: Record::new(StockState::default()),
+            record: Record::new(stock),
+            judge,
             travel: limits::Travel::default(),
             tool: None,
             at: start(input),
@@ -156,7 +172,8 @@ impl Run<'_> {
         let lasts_s = seconds(from.unwrap_or(zero).distance(to), feed);
         let path = Segment::line(from.unwrap_or(to), to);
         self.travel.cover(&path, &self.input.machine, place, findings);
-        self.play(place, Played { path, motion: Motion::Rapid, tool: self.tool.unwrap_or(0), feed, rpm: 0.0, lasts_s });
+        let tool = self.tool.unwrap_or(0);
+        self.cut_and_play(place, Played { path, motion: Motion::Rapid, tool, feed, rpm: 0.0, lasts_s }, findings);
     }
 
     fn moved(&mut self, place: Place, path: Segment, feed: f64, tool: u32, rpm: f64, findings: &mut Findings) {
@@ -165,7 +182,11 @@ impl Run<'_> {
         self.travel.cover(&path, machine, place, findings);
         self.change_tool(place, path.start(), tool, rpm, findings);
         let motion = if feed >= self.input.machine.rapid_feed_mm_per_min { Motion::Rapid } else { Motion::Feed };
-        self.play(place, Played { path, motion, tool, feed, rpm, lasts_s: seconds(path.length(), feed) });
+        self.cut_and_play(
+            place,
+            Played { path, motion, tool, feed, rpm, lasts_s: seconds(path.length(), feed) },
+            findings,
+        );
     }
 
     /// The tool that is in place at the first move costs no time.
@@ -198,6 +219,13 @@ impl Run<'_> {
         self.record.times.dwell_s += lasts_s;
     }
 
+    fn cut_and_play(&mut self, place: Place, played: Played, findings: &mut Findings) {
+        if let Some(judge) = &mut self.judge {
+            judge.moved(place, &played, &mut self.record, findings);
+        }
+        self.play(place, played);
+    }
+
     fn play(&mut self, place: Place, played: Played) {
         self.at = played.path.end();
         self.record.play(place, played);
@@ -207,10 +235,10 @@ impl Run<'_> {
     fn thread(&mut self, place: Place, thread: &Thread, findings: &mut Findings) -> Result<(), Cancelled> {
         let machine = &self.input.machine;
         let can_run = limits::check_thread(thread, machine, place, findings);
-        let (rapid, rpm, from) = (machine.rapid_feed_mm_per_min, thread.rpm, thread.from);
+        let from = thread.from;
         let reach = Segment::line(from, Point::new(thread.to_z, thread.base_radius));
         self.travel.cover(&reach, machine, place, findings);
-        self.change_tool(place, from, thread.tool, rpm, findings);
+        self.change_tool(place, from, thread.tool, thread.rpm, findings);
         if !can_run {
             return Ok(());
         }
@@ -218,22 +246,48 @@ impl Run<'_> {
         for pass in 1..=passes {
             self.cancel.check()?;
             let depth = (f64::from(pass) * thread.depth).min(thread.outside_radius - thread.base_radius);
-            let radius = thread.outside_radius - depth;
-            let near = Point::new(from.z, radius);
-            let far = Point::new(thread.to_z, radius);
-            let out = Point::new(thread.to_z, from.r);
-            let feed = thread.pitch * rpm;
-            let moves = [(from, near, rapid), (near, far, feed), (far, out, rapid), (out, from, rapid)];
-            for (index, (start, end, feed)) in moves.into_iter().enumerate() {
-                let path = Segment::line(start, end);
-                let motion = if index == 1 { Motion::Thread } else { Motion::Rapid };
-                self.play(
-                    place,
-                    Played { path, motion, tool: thread.tool, feed, rpm, lasts_s: seconds(path.length(), feed) },
-                );
-            }
+            self.thread_pass(
+                place,
+                thread,
+                thread.outside_radius - depth,
+                (pass == passes).then_some(passes),
+                findings,
+            );
         }
         Ok(())
+    }
+
+    /// One pass; the stock is cut by the last one, in whose grooves all others lie.
+    fn thread_pass(
+        &mut self,
+        place: Place,
+        thread: &Thread,
+        radius: f64,
+        last_of: Option<u32>,
+        findings: &mut Findings,
+    ) {
+        let (rapid, rpm, from) = (self.input.machine.rapid_feed_mm_per_min, thread.rpm, thread.from);
+        let near = Point::new(from.z, radius);
+        let far = Point::new(thread.to_z, radius);
+        let out = Point::new(thread.to_z, from.r);
+        for (start, end, motion) in [
+            (from, near, Motion::Rapid),
+            (near, far, Motion::Thread),
+            (far, out, Motion::Rapid),
+            (out, from, Motion::Rapid),
+        ] {
+            let feed = if motion == Motion::Thread { thread.pitch * rpm } else { rapid };
+            let path = Segment::line(start, end);
+            let played = Played { path, motion, tool: thread.tool, feed, rpm, lasts_s: seconds(path.length(), feed) };
+            if let (Some(judge), Some(passes)) = (&mut self.judge, last_of) {
+                if motion == Motion::Thread {
+                    judge.threaded(place, &played, thread.pitch, passes, &mut self.record, findings);
+                } else {
+                    judge.moved(place, &played, &mut self.record, findings);
+                }
+            }
+            self.play(place, played);
+        }
     }
 }
 

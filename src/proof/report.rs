@@ -30,6 +30,19 @@ pub struct ProofReport {
     pub stock: Vec<StockState>,
 }
 
+impl ProofReport {
+    /// The findings that must not be.
+    pub fn errors(&self) -> impl Iterator<Item = &Finding> {
+        self.findings.iter().filter(|finding| finding.severity == Severity::Error)
+    }
+
+    /// Program name and block of the first error in the order of the programs.
+    #[must_use]
+    pub fn first_wrong_block(&self) -> Option<(&str, usize)> {
+        self.errors().next().map(|finding| (finding.program.as_str(), finding.block))
+    }
+}
+
 /// Times by kind, s.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Times {

@@ -1,9 +1,8 @@
 //! A small lathe and a bar for the tests, with figures of their own.
 
-use super::super::{ProgramText, ProofInput};
 use super::*;
 use crate::cancel::Cancel;
-use crate::geometry::{Contour, Point};
+
 use crate::machine::{
     Chuck, DatumRule, Dialect, FlowControl, Limits, Machine, Parity, SerialProfile, SpindleRule, ToolOutline,
 };
@@ -55,11 +54,11 @@ pub(super) fn polygon(points: &[(f64, f64)]) -> Contour {
 /// Sharp tools: 1 right-hand, 2 left-hand, 3 threading, 4 parting 3 mm wide; holders well above.
 pub(super) fn tools() -> BTreeMap<u32, ToolOutline> {
     let right = ToolOutline {
-        insert: polygon(&[(0.0, 0.0), (5.0, 4.0), (5.5, 10.0), (0.5, 6.0)]),
+        insert: polygon(&[(0.0, 0.0), (5.0, 4.0), (5.0, 10.0), (0.0, 6.0)]),
         holder: polygon(&[(0.5, 8.0), (12.0, 8.0), (12.0, 60.0), (0.5, 60.0)]),
     };
     let left = ToolOutline {
-        insert: polygon(&[(0.0, 0.0), (-0.5, 6.0), (-5.5, 10.0), (-5.0, 4.0)]),
+        insert: polygon(&[(0.0, 0.0), (0.0, 6.0), (-5.0, 10.0), (-5.0, 4.0)]),
         holder: polygon(&[(-12.0, 8.0), (-0.5, 8.0), (-0.5, 60.0), (-12.0, 60.0)]),
     };
     let thread = ToolOutline {
@@ -98,4 +97,58 @@ pub(super) fn prove_texts(texts: &[&str]) -> ProofReport {
 
 pub(super) fn kinds(report: &ProofReport) -> Vec<(FindingKind, usize)> {
     report.findings.iter().map(|f| (f.kind, f.block)).collect()
+}
+
+/// Length of the test part; its end face is the program zero.
+pub(super) const LENGTH: f64 = 30.0;
+
+/// A bar of radius 10 from z −40 to 30, chuck face at −10, to become a cylinder of radius 8 up to z 20 and 6 from there.
+pub(super) fn work() -> Work {
+    let p = Point::new;
+    let contour = Contour::new(vec![
+        Segment::line(p(0.0, 8.0), p(20.0, 8.0)),
+        Segment::line(p(20.0, 8.0), p(20.0, 6.0)),
+        Segment::line(p(20.0, 6.0), p(LENGTH, 6.0)),
+    ]);
+    Work {
+        stock: polygon(&[(-40.0, 0.0), (LENGTH, 0.0), (LENGTH, 10.0), (-40.0, 10.0)]),
+        target: Target { contour, sections: vec![1, 2, 2], machined_from_z: 0.0 },
+        program_zero_z: LENGTH,
+        chuck_face_z: -10.0,
+        form_tolerance_mm: 0.05,
+        may_cut: Vec::new(),
+    }
+}
+
+/// A program in absolute format: numbers are added, and the head and the end around `body`.
+pub(super) fn absolute(body: &str) -> String {
+    lines(&format!("ABS\nMM\nPDAT 12 20\n{body}\nPTP 12 20 1000 1 1000\nEND"))
+}
+
+/// Blocks before the body of [`absolute`].
+pub(super) const HEAD: usize = 3;
+
+pub(super) fn lines(text: &str) -> String {
+    text.lines().enumerate().map(|(i, l)| format!("{:>3}  {l}\n", i + 1)).collect()
+}
+
+pub(super) fn with_work(texts: &[&str], work: Work) -> ProofInput {
+    ProofInput { work: Some(work), ..input_of(texts) }
+}
+
+pub(super) fn prove_work(body: &str) -> ProofReport {
+    prove_input(&with_work(&[&absolute(body)], work()))
+}
+
+/// Findings but those of leftover, which most short programs have.
+pub(super) fn faults(report: &ProofReport) -> Vec<(FindingKind, usize)> {
+    kinds(report).into_iter().filter(|(kind, _)| *kind != FindingKind::Leftover).collect()
+}
+
+/// Area of a stock state, mm².
+pub(super) fn area(state: &StockState) -> f64 {
+    let doubled = |ring: &Vec<Point>| {
+        ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| a.z * b.r - b.z * a.r).sum::<f64>()
+    };
+    state.rings.iter().map(doubled).sum::<f64>() / 2.0
 }

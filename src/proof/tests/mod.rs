@@ -1,7 +1,11 @@
 //! Hand-made programs with known answers.
 
 mod bench_lathe;
+mod cutting;
+mod mutation;
+mod queen;
 mod running;
 
 use super::*;
+use crate::geometry::{Contour, Point, Segment};
 use bench_lathe::*;

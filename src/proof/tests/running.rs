@@ -1,13 +1,8 @@
 //! Formats, units, loops, subroutines, structure and machine limits.
 
 use super::*;
-use crate::geometry::{Point, Segment};
 
 const START: &str = "INC\nMM\nPDAT 15 20\n";
-
-fn lines(text: &str) -> String {
-    text.lines().enumerate().map(|(i, l)| format!("{:>3}  {l}\n", i + 1)).collect()
-}
 
 fn prove_lines(text: &str) -> ProofReport {
     prove_texts(&[&lines(text)])

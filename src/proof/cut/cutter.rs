@@ -1,0 +1,152 @@
+//! A tool as the simulation needs it: convex pieces on the grid and the edges that cannot cut.
+
+use super::grid::{GridPoint, Ring, hull, to_grid, turn};
+use super::region::CHORD_TOLERANCE_MM;
+use crate::geometry::{Contour, Segment};
+use crate::machine::ToolOutline;
+
+/// A line whose ends differ by less than this in radius, mm, lies level at the nose.
+const LEVEL_MM: f64 = 0.001;
+
+/// A tool on the grid; the programmed point is the origin.
+#[derive(Debug, Clone, Default)]
+pub(in crate::proof) struct Cutter {
+    /// Convex pieces of the insert.
+    pub insert: Vec<Ring>,
+    /// Edges of the insert that cannot cut, in the direction of the outline.
+    pub back: Vec<[GridPoint; 2]>,
+    /// Convex pieces of the holder.
+    pub holder: Vec<Ring>,
+}
+
+impl Cutter {
+    /// Makes a tool from its outlines.
+    pub(in crate::proof) fn new(outline: &ToolOutline) -> Self {
+        Self {
+            insert: convex_pieces(&outline.insert),
+            back: back_edges(&outline.insert),
+            holder: convex_pieces(&outline.holder),
+        }
+    }
+}
+
+/// The edges that cannot cut: all but the nose and the two straight edges next to it.
+///
+/// The nose is the lowest point of the outline with the arcs and level lines around it.
+fn back_edges(insert: &Contour) -> Vec<[GridPoint; 2]> {
+    let segments = &insert.segments;
+    let count = segments.len();
+    let low = |s: &Segment| s.bounds().min.r;
+    let Some(lowest) = (0..count).min_by(|&a, &b| low(&segments[a]).total_cmp(&low(&segments[b]))) else {
+        return Vec::new();
+    };
+    let rises = |i: usize| matches!(segments[i], Segment::Line { start, end } if (start.r - end.r).abs() > LEVEL_MM);
+    let mut cuts = vec![false; count];
+    cuts[lowest] = true;
+    // From the lowest segment over the nose to the first rising line on either side.
+    let falls = rises(lowest) && segments[lowest].end().r < segments[lowest].start().r;
+    for (step, needed) in [(1, falls || !rises(lowest)), (count - 1, !falls)] {
+        let mut at = lowest;
+        let mut goes_on = needed;
+        while goes_on {
+            at = (at + step) % count;
+            goes_on = !cuts[at] && !rises(at);
+            cuts[at] = true;
+        }
+    }
+    let back = segments.iter().zip(cuts).filter(|(_, cuts)| !cuts);
+    back.flat_map(|(s, _)| chords(s)).collect()
+}
+
+fn chords(segment: &Segment) -> Vec<[GridPoint; 2]> {
+    let points: Vec<GridPoint> =
+        std::iter::once(segment.start()).chain(segment.polyline_points(CHORD_TOLERANCE_MM)).map(to_grid).collect();
+    points.windows(2).map(|w| [w[0], w[1]]).collect()
+}
+
+/// Convex rings, counter-clockwise, that cover the inside of a closed contour.
+fn convex_pieces(contour: &Contour) -> Vec<Ring> {
+    let mut ring: Ring = contour.polyline(CHORD_TOLERANCE_MM).into_iter().map(to_grid).collect();
+    ring.dedup();
+    if ring.len() > 1 && ring.first() == ring.last() {
+        ring.pop();
+    }
+    if ring.len() < 3 {
+        return Vec::new();
+    }
+    let whole = hull(ring.clone());
+    let convex = ring.iter().all(|p| on_border(*p, &whole));
+    if convex { vec![whole] } else { triangles(ring) }
+}
+
+fn on_border(p: GridPoint, ring: &[GridPoint]) -> bool {
+    super::grid::edges(ring).any(|(a, b)| turn(a, b, p) == 0)
+}
+
+/// Ear clipping; what is left of an outline that crosses itself is covered by its hull, so nothing is forgotten.
+fn triangles(mut ring: Ring) -> Vec<Ring> {
+    let mut pieces = Vec::new();
+    while ring.len() > 3 {
+        let count = ring.len();
+        let corner = |i: usize| [ring[(i + count - 1) % count], ring[i], ring[(i + 1) % count]];
+        let is_ear = |i: &usize| {
+            let [a, b, c] = corner(*i);
+            let inside = |p: &GridPoint| turn(a, b, *p) >= 0 && turn(b, c, *p) >= 0 && turn(c, a, *p) >= 0;
+            turn(a, b, c) > 0 && !ring.iter().any(|p| ![a, b, c].contains(p) && inside(p))
+        };
+        let straight = |i: &usize| {
+            let [a, b, c] = corner(*i);
+            turn(a, b, c) == 0
+        };
+        if let Some(flat) = (0..count).find(straight) {
+            ring.remove(flat);
+        } else if let Some(ear) = (0..count).find(is_ear) {
+            pieces.push(corner(ear).to_vec());
+            ring.remove(ear);
+        } else {
+            break;
+        }
+    }
+    pieces.push(hull(ring));
+    pieces
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::grid::area_mm2;
+    use super::*;
+    use crate::geometry::Point;
+
+    fn polygon(points: &[(f64, f64)]) -> Contour {
+        Contour::polygon(&points.iter().map(|&(z, r)| Point::new(z, r)).collect::<Vec<_>>())
+    }
+
+    #[test]
+    fn all_but_the_edges_at_the_nose_are_back_edges() {
+        // Each outline is tried with every segment as the first.
+        let rhombus = polygon(&[(0.0, 0.0), (5.0, 4.0), (5.5, 10.0), (0.5, 6.0)]);
+        let blade = polygon(&[(0.0, 0.0), (3.0, 0.0), (3.0, 20.0), (0.0, 20.0)]);
+        let corner = |z, r| Point::new(z, r);
+        let arc = Segment::Arc { start: corner(0.0, 1.0), end: corner(1.0, 0.0), center: corner(1.0, 1.0), ccw: true };
+        let rest = [(1.0, 0.0), (6.0, 2.0), (5.0, 9.0), (0.0, 1.0)].map(|(z, r)| corner(z, r));
+        let rounded =
+            Contour::new(std::iter::once(arc).chain(rest.windows(2).map(|w| Segment::line(w[0], w[1]))).collect());
+        for (mut outline, back) in [(rhombus, 2), (blade, 1), (rounded, 1)] {
+            for _ in 0..outline.segments.len() {
+                outline.segments.rotate_left(1);
+                assert_eq!(back_edges(&outline).len(), back, "{outline:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn pieces_are_convex_and_cover_the_outline() {
+        let hook = polygon(&[(0.0, 0.0), (10.0, 0.0), (10.0, 2.0), (2.0, 2.0), (2.0, 8.0), (0.0, 8.0)]);
+        let pieces = convex_pieces(&hook);
+        assert!((pieces.iter().map(|p| area_mm2(p)).sum::<f64>() - 32.0).abs() < 1e-9);
+        assert!(pieces.iter().all(|p| hull(p.clone()).len() == p.len()));
+        assert!(convex_pieces(&Contour::default()).is_empty());
+        let crossing = polygon(&[(0.0, 0.0), (10.0, 10.0), (10.0, 0.0), (0.0, 10.0)]);
+        assert!(!convex_pieces(&crossing).is_empty());
+    }
+}

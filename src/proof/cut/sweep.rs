@@ -1,0 +1,97 @@
+//! The region that a convex outline covers while it moves along a path.
+
+use super::grid::{GridPoint, Ring, plus};
+
+/// The ring that winds around every point covered by `outline` (convex, counter-clockwise) moved along `path`.
+///
+/// It is the convolution of the outline with the path walked there and back: its winding number is positive exactly where
+/// the moved outline has been (Guibas, Ramshaw, Stolfi 1983). For a straight path it is the convex hull of both ends. It may
+/// cross itself, so it must be filled by the non-zero rule.
+pub(super) fn swept(outline: &[GridPoint], path: &[GridPoint]) -> Ring {
+    let mut there = path.to_vec();
+    there.dedup();
+    let Some(&first) = there.first() else { return Ring::new() };
+    if there.len() == 1 || outline.is_empty() {
+        return outline.iter().map(|&p| plus(p, first)).collect();
+    }
+    let there_and_back: Vec<GridPoint> = there.iter().chain(there.iter().rev().skip(1)).copied().collect();
+    let directions: Vec<(i64, i64)> = there_and_back.windows(2).map(|w| direction(w[0], w[1])).collect();
+    let mut ring = Ring::with_capacity(there_and_back.len() + 2 * outline.len());
+    let mut vertex = support(outline, directions[0]);
+    for (index, &from) in directions.iter().enumerate() {
+        let to = directions[(index + 1) % directions.len()];
+        let corner = there_and_back[index + 1];
+        ring.push(plus(corner, outline[vertex]));
+        let last = support(outline, to);
+        let left = cross(from, to) > 0 || (cross(from, to) == 0 && dot(from, to) < 0);
+        while vertex != last {
+            vertex = (vertex + if left { 1 } else { outline.len() - 1 }) % outline.len();
+            ring.push(plus(corner, outline[vertex]));
+        }
+    }
+    ring
+}
+
+fn direction(a: GridPoint, b: GridPoint) -> (i64, i64) {
+    (i64::from(b.x) - i64::from(a.x), i64::from(b.y) - i64::from(a.y))
+}
+
+fn cross(a: (i64, i64), b: (i64, i64)) -> i64 {
+    a.0 * b.1 - a.1 * b.0
+}
+
+fn dot(a: (i64, i64), b: (i64, i64)) -> i64 {
+    a.0 * b.0 + a.1 * b.1
+}
+
+/// The vertex furthest to the right of a direction; of two the one that comes first counter-clockwise.
+fn support(outline: &[GridPoint], d: (i64, i64)) -> usize {
+    let reach = |i: usize| i64::from(outline[i].x) * d.1 - i64::from(outline[i].y) * d.0;
+    let count = outline.len();
+    let best = (0..count).max_by_key(|&i| reach(i)).unwrap_or(0);
+    let before = (best + count - 1) % count;
+    if reach(before) == reach(best) { before } else { best }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::grid::{area_mm2, hull};
+    use super::super::region::Region;
+    use super::*;
+    use proptest::prelude::*;
+
+    fn points(raw: &[(i32, i32)]) -> Ring {
+        raw.iter().map(|&(x, y)| GridPoint::new(x, y)).collect()
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(200))]
+
+        #[test]
+        fn a_straight_sweep_is_the_hull(
+            raw in prop::collection::vec((-90_000..90_000, -90_000..90_000), 3..9),
+            to in (-300_000..300_000, -300_000..300_000),
+        ) {
+            let outline = hull(points(&raw));
+            prop_assume!(outline.len() >= 3);
+            let path = points(&[(0, 0), to]);
+            let both = path.iter().flat_map(|&p| outline.iter().map(move |&o| plus(o, p))).collect();
+            prop_assert!((area_mm2(&swept(&outline, &path)) - area_mm2(&hull(both))).abs() < 1e-9);
+        }
+
+        #[test]
+        fn a_bent_sweep_is_the_union_of_its_parts(
+            raw in prop::collection::vec((-90_000..90_000, -90_000..90_000), 3..9),
+            bends in prop::collection::vec((-300_000..300_000, -300_000..300_000), 2..7),
+        ) {
+            let outline = hull(points(&raw));
+            prop_assume!(outline.len() >= 3);
+            let path = points(&bends);
+            let whole = Region::default().united(&[swept(&outline, &path)]);
+            let parts: Vec<Ring> = path.windows(2).map(|w| swept(&outline, w)).collect();
+            let parts = Region::default().united(&parts);
+            let area = |rings: &[Ring]| rings.iter().map(|r| area_mm2(r)).sum::<f64>();
+            prop_assert!((area(&whole) - area(&parts)).abs() < 2e-3, "{} {}", area(&whole), area(&parts));
+        }
+    }
+}

@@ -1,0 +1,247 @@
+//! The finished form: how deep a point lies below the contour, exactly against its lines and arcs.
+
+use super::input::{MayCut, Work};
+use crate::geometry::{Bounds, Point, Segment};
+use std::f64::consts::PI;
+
+/// Positions within this of the border of a region that may be cut belong to it, mm.
+const BORDER_MM: f64 = 0.001;
+/// Edges longer than this, mm, are looked at in between too.
+const SAMPLE_MM: f64 = 0.25;
+/// Points looked at along one edge at most.
+const MOST_SAMPLES: u32 = 64;
+
+/// The finished part of one set-up.
+pub(super) struct Form {
+    pieces: Vec<Piece>,
+    may_cut: Vec<MayCut>,
+    highest: f64,
+}
+
+/// A line or an arc along which z runs one way only.
+struct Piece {
+    segment: Segment,
+    bounds: Bounds,
+}
+
+/// The deepest point of a gouge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Depth {
+    /// Distance below the contour, mm.
+    pub mm: f64,
+    /// Where.
+    pub at: Point,
+}
+
+impl Form {
+    /// The form that must come out.
+    pub(super) fn new(work: &Work) -> Self {
+        let pieces: Vec<Piece> = work
+            .target
+            .contour
+            .segments
+            .iter()
+            .flat_map(one_way)
+            .map(|segment| Piece { bounds: segment.bounds(), segment })
+            .collect();
+        let highest = pieces.iter().map(|p| p.bounds.max.r).fold(0.0, f64::max);
+        Self { pieces, may_cut: work.may_cut.clone(), highest }
+    }
+
+    /// How far below the contour a point lies, mm; 0 above it and where may be cut.
+    pub(super) fn depth(&self, p: Point) -> f64 {
+        if p.r >= self.highest || !self.inside(p) {
+            return 0.0;
+        }
+        let allowed =
+            self.may_cut.iter().filter(|m| p.z >= m.z1.min(m.z2) - BORDER_MM && p.z <= m.z1.max(m.z2) + BORDER_MM);
+        let below = allowed.map(|m| (m.radius - p.r).max(0.0)).fold(f64::INFINITY, f64::min);
+        if below <= BORDER_MM { 0.0 } else { below.min(self.distance(p)) }
+    }
+
+    /// The deepest point along the borders of what was taken away.
+    pub(super) fn deepest(&self, rings: impl Iterator<Item = Vec<Point>>) -> Option<Depth> {
+        let mut deepest: Option<Depth> = None;
+        for ring in rings {
+            for (&a, &b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+                if a.r.min(b.r) < self.highest {
+                    self.deepest_on_edge(a, b, &mut deepest);
+                }
+            }
+        }
+        deepest
+    }
+
+    /// Along an edge the distance from a line is linear and that from an arc is largest where the edge passes its centre, so
+    /// the ends and those points are enough as long as one segment is nearest; samples between catch the rest.
+    fn deepest_on_edge(&self, a: Point, b: Point, deepest: &mut Option<Depth>) {
+        let mut look = |at: Point| {
+            let mm = self.depth(at);
+            if mm > deepest.map_or(0.0, |d| d.mm) {
+                *deepest = Some(Depth { mm, at });
+            }
+        };
+        look(a);
+        let along = b - a;
+        let length = along.norm();
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 1..=MOST_SAMPLES")]
+        let samples = (length / SAMPLE_MM).ceil().clamp(1.0, f64::from(MOST_SAMPLES)) as u32;
+        for k in 1..samples {
+            look(a + along * (f64::from(k) / f64::from(samples)));
+        }
+        let reach = Bounds { min: a, max: a }.including(b);
+        for piece in self.pieces.iter().filter(|p| p.bounds.min.z <= reach.max.z && p.bounds.max.z >= reach.min.z) {
+            if let Segment::Arc { center, .. } = piece.segment {
+                let t = (center - a).dot(&along) / (length * length);
+                if t > 0.0 && t < 1.0 {
+                    look(a + along * t);
+                }
+            }
+        }
+    }
+
+    /// True if the contour passes above the point an odd number of times.
+    fn inside(&self, p: Point) -> bool {
+        let above = |piece: &&Piece| {
+            let (from, to) = (piece.segment.start().z, piece.segment.end().z);
+            (from <= p.z) != (to <= p.z) && piece.bounds.max.r >= p.r && radius_at(&piece.segment, p.z) > p.r
+        };
+        self.pieces.iter().filter(above).count() % 2 == 1
+    }
+
+    fn distance(&self, p: Point) -> f64 {
+        let mut nearest = f64::INFINITY;
+        for piece in &self.pieces {
+            if apart(piece.bounds, p) < nearest {
+                nearest = nearest.min(distance_to(&piece.segment, p));
+            }
+        }
+        nearest
+    }
+}
+
+/// Distance from a point to a rectangle, mm.
+fn apart(bounds: Bounds, p: Point) -> f64 {
+    let dz = (bounds.min.z - p.z).max(p.z - bounds.max.z).max(0.0);
+    let dr = (bounds.min.r - p.r).max(p.r - bounds.max.r).max(0.0);
+    dz.hypot(dr)
+}
+
+/// Distance from a point to a line or arc, mm.
+pub(super) fn distance_to(segment: &Segment, p: Point) -> f64 {
+    match *segment {
+        Segment::Line { start, end } => distance_to_line(start, end, p),
+        Segment::Arc { start, end, center, ccw } => {
+            let foot = p - center;
+            let turned = |v: crate::geometry::Vector| {
+                let from = start - center;
+                let angle = (from.x * v.y - from.y * v.x).atan2(from.dot(&v));
+                (if ccw { angle } else { -angle }).rem_euclid(2.0 * PI)
+            };
+            if turned(foot) <= segment.sweep().abs() {
+                (foot.norm() - start.distance(center)).abs()
+            } else {
+                p.distance(start).min(p.distance(end))
+            }
+        }
+    }
+}
+
+/// Distance from a point to a straight line between two points, mm.
+pub(super) fn distance_to_line(start: Point, end: Point, p: Point) -> f64 {
+    let along = end - start;
+    let squared = along.norm_squared();
+    let t = if squared > 0.0 { ((p - start).dot(&along) / squared).clamp(0.0, 1.0) } else { 0.0 };
+    p.distance(start + along * t)
+}
+
+/// Radius of a one-way segment at a position between its ends.
+fn radius_at(segment: &Segment, z: f64) -> f64 {
+    match *segment {
+        Segment::Line { start, end } => start.r + (end.r - start.r) * (z - start.z) / (end.z - start.z),
+        Segment::Arc { start, end, center, ccw } => {
+            let radius = start.distance(center);
+            let height = (radius * radius - (z - center.z).powi(2)).max(0.0).sqrt();
+            // A counter-clockwise arc runs to smaller z above its centre and to larger z below it.
+            let upper = ccw == (end.z < start.z);
+            if upper { center.r + height } else { center.r - height }
+        }
+    }
+}
+
+/// Parts an arc where it turns back along z.
+fn one_way(segment: &Segment) -> Vec<Segment> {
+    let Segment::Arc { start, end, center, ccw } = *segment else { return vec![*segment] };
+    let radius = start.distance(center);
+    let sweep = segment.sweep();
+    let from = (start - center).y.atan2((start - center).x);
+    let mut turns: Vec<f64> = (-2..=4)
+        .map(|k| (f64::from(k) * PI - from) / sweep)
+        .filter(|t| t.is_finite() && *t > 0.0 && *t < 1.0)
+        .collect();
+    turns.sort_by(f64::total_cmp);
+    let turn = |t: &f64| {
+        let angle = from + sweep * t;
+        Point::new(center.z + radius * angle.cos(), center.r + radius * angle.sin())
+    };
+    let ends: Vec<Point> = [start].into_iter().chain(turns.iter().map(turn)).chain([end]).collect();
+    ends.windows(2).map(|w| Segment::Arc { start: w[0], end: w[1], center, ccw }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Contour;
+    use crate::proof::Target;
+    use proptest::prelude::*;
+
+    /// A ball of radius 10 at z = 0 on a shank of radius 6 to its left.
+    fn ball() -> Form {
+        let center = Point::new(0.0, 0.0);
+        let joint = Point::new(-8.0, 6.0);
+        let contour = Contour::new(vec![
+            Segment::line(Point::new(-20.0, 6.0), joint),
+            Segment::Arc { start: joint, end: Point::new(10.0, 0.0), center, ccw: false },
+        ]);
+        let sections = vec![1, 2];
+        Form::new(&Work {
+            stock: Contour::default(),
+            target: Target { contour, sections, machined_from_z: -20.0 },
+            program_zero_z: 0.0,
+            chuck_face_z: -30.0,
+            form_tolerance_mm: 0.05,
+            may_cut: vec![MayCut { z1: -15.0, z2: -12.0, radius: 4.0 }],
+        })
+    }
+
+    #[test]
+    fn depth_is_exact_against_lines_and_arcs() {
+        let form = ball();
+        assert!((form.depth(Point::new(3.0, 4.0)) - 5.0).abs() < 1e-12);
+        assert!((form.depth(Point::new(-17.0, 5.75)) - 0.25).abs() < 1e-12);
+        assert_eq!(form.depth(Point::new(8.0, 8.0)), 0.0);
+        assert_eq!(form.depth(Point::new(-25.0, 1.0)), 0.0);
+    }
+
+    #[test]
+    fn what_may_be_cut_is_not_deep() {
+        let form = ball();
+        assert_eq!(form.depth(Point::new(-13.0, 4.5)), 0.0);
+        assert!((form.depth(Point::new(-13.0, 3.75)) - 0.25).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_straight_cut_across_the_ball_is_deepest_in_the_middle() {
+        let (a, b) = (Point::new(-6.0, 8.0), Point::new(6.0, 8.0));
+        let depth = ball().deepest([vec![a, b, Point::new(0.0, 11.0)]].into_iter()).unwrap();
+        assert!((depth.mm - 2.0).abs() < 1e-12 && depth.at.distance(Point::new(0.0, 8.0)) < 1e-9);
+    }
+
+    proptest! {
+        #[test]
+        fn a_point_is_inside_exactly_if_the_polygon_says_so(z in -25.0..15.0_f64, r in 0.0..12.0_f64) {
+            let truth = if z < -20.0 || z > 10.0 { false } else if z < -8.0 { r < 6.0 } else { z.hypot(r) < 10.0 };
+            prop_assert_eq!(ball().inside(Point::new(z, r)), truth);
+        }
+    }
+}
