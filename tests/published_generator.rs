@@ -1,13 +1,16 @@
 //! What the published generator promises for every part: it never cuts into the part, every operation begins and ends at
 //! the datum, and the finishing passes end on the contour.
 
+#![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
+
 mod support;
 
 use proptest::prelude::*;
 use support::{Part, master, orac, queen, stepped};
+use turnwright::diagnostic::has_errors;
 use turnwright::geometry::Point;
 use turnwright::machine::{Catalog, Material};
-use turnwright::post::orac::{Instruction, files, optimize};
+use turnwright::post::orac::{Instruction, Options, files, optimize, post};
 use turnwright::turning::published::generate;
 use turnwright::turning::{CutMove, CutterPath, OperationKind};
 use turnwright::units::Unit;
@@ -48,6 +51,21 @@ fn every_operation_ends_at_the_datum_and_never_beyond_the_axis() {
             let places = operation_places(&path, operation.kind);
             assert!(places.last().unwrap().distance(path.datum) < 1e-9, "{:?}", operation.kind);
             assert!(places.iter().all(|p| p.r > -1e-9), "{:?}", operation.kind);
+        }
+    }
+}
+
+#[test]
+fn every_example_becomes_programs_that_the_lathe_can_hold() {
+    for (name, clampings) in support::all_examples() {
+        for part in clampings {
+            let machine = orac();
+            let (path, diagnostics) = generate(&part.0, &part.1, &machine, &material());
+            assert!(!has_errors(&diagnostics), "{name}: {diagnostics:?}");
+            let output = post(name, &path, &Options { optimize: true, automatic: true }, &machine);
+            assert_eq!(output.diagnostics, [], "{name}");
+            assert!(output.programs.iter().all(|p| p.blocks.len() <= machine.limits.blocks_per_program));
+            assert!(!output.programs.is_empty(), "{name}");
         }
     }
 }

@@ -24,10 +24,22 @@ pub(crate) fn master() -> Part {
     clamped(example("MASTER"))
 }
 
+/// Every clamping of every shipped example, by name.
+#[allow(dead_code, reason = "not every test file needs it")]
+pub(crate) fn all_examples() -> Vec<(&'static str, Vec<Part>)> {
+    let clampings = |name| {
+        let part = example(name);
+        setups(&part, &orac()).0.into_iter().map(|setup| (setup, part.clone())).collect()
+    };
+    examples().iter().map(|e| (e.name, clampings(e.name))).collect()
+}
+
+/// An example part in mm.
 fn example(name: &str) -> TurnedPart {
     let example = examples().iter().find(|e| e.name == name).unwrap();
-    let Content::TurnedPart(part) = document_from_text(name, example.text).unwrap().content;
-    part
+    let document = document_from_text(name, example.text).unwrap();
+    let Content::TurnedPart(part) = document.content;
+    part.scaled(document.unit.in_mm())
 }
 
 fn clamped(part: TurnedPart) -> Part {

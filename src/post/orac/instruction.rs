@@ -395,24 +395,20 @@ impl Instruction {
     /// One line for people: `PTP X -0.800 Z 0.000 F 80 T1 S1262`.
     #[must_use]
     pub fn summary(&self) -> String {
-        let mut line = self.kind().word().to_owned();
-        for (field, value) in self.fields() {
-            line.push(' ');
-            line.push_str(&match field {
-                Field::X | Field::Z => format!("{} {}", field.label(), field.written(value)),
-                Field::Radius => format!("R {}", field.written(value)),
-                Field::Feed => format!("F {value}"),
-                Field::Tool => format!("T{value}"),
-                Field::Rpm => format!("S{value}"),
-                Field::Number | Field::Count | Field::Channel => value.to_string(),
-                _ => format!("{} {}", field.label(), field.written(value)),
-            });
-        }
-        if let Some(sense) = self.kind().sense_word() {
-            line.push(' ');
-            line.push_str(sense);
-        }
-        line
+        let values = self.fields().map(|(field, value)| {
+            let written = field.written(value);
+            match field {
+                Field::Radius => format!("R {written}"),
+                Field::Feed => format!("F {written}"),
+                Field::Tool => format!("T{written}"),
+                Field::Rpm => format!("S{written}"),
+                Field::Number | Field::Count | Field::Channel => written,
+                _ => format!("{} {written}", field.label()),
+            }
+        });
+        let words = [self.kind().word().to_owned()].into_iter().chain(values);
+        let sense = self.kind().sense_word().map(str::to_owned);
+        words.chain(sense).collect::<Vec<_>>().join(" ")
     }
 }
 

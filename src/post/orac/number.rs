@@ -5,6 +5,9 @@ use super::instruction::Field;
 /// Thousandths in one unit of length or time.
 const THOUSANDTHS: f64 = 1000.0;
 
+/// Rounding noise of a decimal fraction read as binary, thousandths.
+const NOISE: f64 = 1e-4;
+
 /// Reads a value of `field`. The error names field, value and limit.
 pub(super) fn parse(field: Field, text: &str) -> Result<i32, String> {
     let label = field.label();
@@ -12,8 +15,6 @@ pub(super) fn parse(field: Field, text: &str) -> Result<i32, String> {
     let value = text.parse::<f64>().ok().filter(|v| plain && v.is_finite());
     let value = value.ok_or_else(|| format!("{label} is '{text}', which is not a number."))?;
     let scaled = if field.is_decimal() { value * THOUSANDTHS } else { value };
-    /// Rounding noise of a decimal fraction read as binary.
-    const NOISE: f64 = 1e-4;
     if (scaled - scaled.round()).abs() > NOISE {
         let most = if field.is_decimal() { "at most three decimals" } else { "no decimals" };
         return Err(format!("{label} is {text}; it must have {most}."));

@@ -8,7 +8,9 @@
 //!
 //! Rules 1 to 3 turn the printed 124 instructions of the queen into the printed 91; rule 4 explains the printed number of
 //! the master's second file. Rule 3 has a guard of ours that changes none of the printed files: the diagonal stays over what
-//! has just been cut, for beyond it a wall may stand.
+//! has just been cut, for beyond it a wall may stand. The rule sees the text only: over the crown of a large arc the straight
+//! diagonal cuts up to a quarter of the roughing depth below the curve, of which the finishing allowance takes most; the
+//! proof shows what remains.
 
 use super::instruction::Instruction;
 use Instruction::Ptp;

@@ -111,7 +111,9 @@ impl Writer {
         let start = self.at;
         let count = i32::try_from(count).unwrap_or(i32::MAX);
         self.out.push(Instruction::Do { count });
-        body.iter().for_each(|m| self.cut_move(m));
+        for m in body {
+            self.cut_move(m);
+        }
         self.out.push(Instruction::Edo);
         let once = self.at.less(start);
         let times = |step: i32, start: i32| start.saturating_add(step.saturating_mul(count));

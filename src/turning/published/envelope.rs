@@ -7,7 +7,7 @@ use super::span::{SAME_MM, Span};
 use super::surface::Surface;
 
 /// Areas lower than this are cut through along the contour, mm. Arcs that are a little steeper than 45 degrees at one end
-/// make such slivers (two in the published queen, of 0.026 mm at most); they are not worth a change of tool.
+/// make such slivers (up to 0.035 mm in the published queen); they are not worth a change of tool.
 pub(super) const LOWEST_AREA_MM: f64 = 0.05;
 
 /// What a tool cutting towards smaller z leaves of a surface.

@@ -19,7 +19,9 @@ pub(super) fn finish_right(plan: &Plan) -> Vec<CutMove> {
     moves.repeat(FINISHING_PASSES, -depth, |moves| {
         moves.cut_r(above, center_rpm);
         moves.cut_r(first_radius + above, plan.rpm(first_radius));
-        contour.iter().for_each(|segment| moves.cut_along(segment, above));
+        for segment in &contour {
+            moves.cut_along(segment, above);
+        }
         moves.travel_r(plan.datum.r, datum_rpm);
         moves.travel_z(plan.face_z(), datum_rpm);
         moves.travel_r(above, center_rpm);

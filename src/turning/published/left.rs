@@ -63,7 +63,9 @@ pub(super) fn finish_left(plan: &Plan) -> Vec<CutMove> {
             if k > 0 {
                 approach(plan, moves, area, above);
             }
-            area.iter().for_each(|segment| moves.cut_along(segment, above));
+            for segment in area {
+                moves.cut_along(segment, above);
+            }
             moves.travel_r(plan.datum.r, datum_rpm);
         }
         moves.travel_z(first.z, datum_rpm);
@@ -73,11 +75,11 @@ pub(super) fn finish_left(plan: &Plan) -> Vec<CutMove> {
     moves.done()
 }
 
-/// From the datum's radius down to the start of an area.
+/// From the datum's radius down to the start of an area, where roughing has left the depth of this pass.
 fn approach(plan: &Plan, moves: &mut Moves, area: &[Segment], above: f64) {
     let Some(start) = area.first().map(Segment::start) else { return };
     moves.travel_z(start.z, plan.rpm(plan.datum.r));
-    moves.line(Point::new(start.z, start.r + above), plan.material.feed_travel, plan.rpm(start.r));
+    moves.cut_r(start.r + above, plan.rpm(start.r));
 }
 
 /// The contour of an area from left to right, up to the corner of the wall that hides it.

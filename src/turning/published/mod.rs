@@ -134,3 +134,86 @@ fn check_part_off_feed(setup: &Setup, machine: &Machine, material: &Material) ->
             .with_hint("Part off by hand, or switch parting off out in the part's settings.")
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::{Content, Generator, ParabolaCut};
+    use crate::machine::Catalog;
+    use crate::part::setups;
+    use crate::storage::{document_from_text, examples};
+    use crate::units::Unit;
+
+    fn example(name: &str) -> TurnedPart {
+        let example = examples().iter().find(|e| e.name == name).unwrap();
+        let Content::TurnedPart(part) = document_from_text(name, example.text).unwrap().content;
+        part
+    }
+
+    fn orac() -> Machine {
+        Catalog::shipped().machine("orac").unwrap().clone()
+    }
+
+    fn material() -> Material {
+        Catalog::shipped().material("aluminum", Unit::Mm).unwrap().in_mm()
+    }
+
+    fn surface(part: &TurnedPart) -> Surface {
+        let setup = setups(part, &orac()).0.remove(0);
+        Surface::new(&profile_lines::segments(&setup, part, &orac())).clipped(setup.machined_from_z, setup.length)
+    }
+
+    #[test]
+    fn the_queen_has_one_area_for_the_left_hand_tool_and_some_slivers() {
+        let shadows = envelope::Envelope::of(&surface(&example("QUEEN"))).shadows;
+        let worth: Vec<&envelope::Shadow> = shadows.iter().filter(|s| s.is_worth_cutting()).collect();
+        let [area] = worth[..] else { panic!("{} areas", worth.len()) };
+        assert!((area.z1 - 36.0).abs() < 1e-9 && (area.height - 3.0).abs() < 1e-9);
+        let slivers = shadows.iter().filter(|s| !s.is_worth_cutting()).map(|s| s.height);
+        assert!(slivers.fold(0.0, f64::max) < 0.036);
+    }
+
+    fn kinds(path: &CutterPath) -> Vec<OperationKind> {
+        path.operations.iter().map(|o| o.kind).collect()
+    }
+
+    fn made(part: &TurnedPart) -> CutterPath {
+        generate(&setups(part, &orac()).0.remove(0), part, &orac(), &material()).0
+    }
+
+    #[test]
+    fn operations_are_those_that_the_part_needs() {
+        use OperationKind::{FinishLeft, FinishRight, PartOff, RoughLeft, RoughRight, Thread};
+        assert_eq!(kinds(&made(&example("QUEEN"))), [RoughRight, FinishRight, RoughLeft, FinishLeft]);
+        assert_eq!(kinds(&made(&example("MASTER"))), [RoughRight, FinishRight, Thread, PartOff]);
+    }
+
+    #[test]
+    fn parabolas_may_be_cut_as_arcs() {
+        let chords = example("MASTER");
+        let parabolas = ParabolaCut::Arcs { tolerance: 0.005 };
+        let arcs = TurnedPart { generator: Generator::Oracap { parabolas, optimize: true }, ..chords.clone() };
+        let count = |part: &TurnedPart| surface(part).segments().len();
+        assert_eq!(count(&chords), 17);
+        assert!(count(&arcs) < 17, "{} segments", count(&arcs));
+        assert_eq!(kinds(&made(&arcs)), kinds(&made(&chords)));
+    }
+
+    #[test]
+    fn without_a_profile_nothing_is_cut() {
+        let part = example("QUEEN");
+        let mut setup = setups(&part, &orac()).0.remove(0);
+        setup.profile.pieces.clear();
+        assert_eq!(generate(&setup, &part, &orac(), &material()).0.operations, []);
+    }
+
+    #[test]
+    fn a_missing_tool_is_named() {
+        let part = example("QUEEN");
+        let mut machine = orac();
+        machine.tools.retain(|t| t.station != 2);
+        let (_, diagnostics) = generate(&setups(&part, &machine).0.remove(0), &part, &machine, &material());
+        let messages: Vec<&str> = diagnostics.iter().map(|d| d.message.as_str()).collect();
+        assert_eq!(messages, ["The program calls turret station 2, and Denford ORAC has no tool there."]);
+    }
+}

@@ -37,7 +37,9 @@ pub(super) fn rough_right(plan: &Plan) -> Vec<CutMove> {
         if equal.len() >= SHORTEST_LOOP {
             cut_loop(plan, &mut moves, equal);
         } else {
-            equal.iter().for_each(|stroke| cut(plan, &mut moves, stroke));
+            for stroke in equal {
+                cut(plan, &mut moves, stroke);
+            }
         }
     }
     let last = strokes.last().map_or(plan.datum.r, |s| plan.level(s.level));

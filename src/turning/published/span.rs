@@ -108,10 +108,7 @@ impl Span {
     /// Where the span meets the line `r = k + m·z`, at most two places, in order of z.
     pub(super) fn meets(&self, m: f64, k: f64) -> Vec<f64> {
         let mut found = match self.form {
-            Form::Line { anchor, slope } if slope == m => {
-                let _parallel = anchor;
-                Vec::new()
-            }
+            Form::Line { slope, .. } if slope == m => Vec::new(),
             Form::Line { anchor, slope } => vec![(k - anchor.r + slope * anchor.z) / (slope - m)],
             Form::Arc { center, radius, upper } => meet_circle(center, radius, upper, m, k),
         };
