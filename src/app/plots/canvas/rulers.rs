@@ -97,11 +97,10 @@ fn multiples(a: f64, b: f64, step: f64) -> impl Iterator<Item = f64> {
     (0..MOST_LINES).map(move |k| first + f64::from(k) * step).take_while(move |&v| v <= to)
 }
 
-/// Decimals that a multiple of `step` needs.
+/// Decimals that a multiple of `step` needs, at most 6.
 fn decimals(step: f64) -> usize {
-    (0..6)
-        .find(|&n| ((step * 10.0_f64.powi(n)).round() - step * 10.0_f64.powi(n)).abs() < 1e-6)
-        .map_or(6, |n| n as usize)
+    let whole = |value: f64| (value - value.round()).abs() < 1e-6;
+    std::iter::successors(Some(step), |value| Some(value * 10.0)).take(6).position(whole).unwrap_or(6)
 }
 
 #[cfg(test)]

@@ -24,7 +24,7 @@ pub(super) struct Chart {
 
 impl Chart {
     /// Height that heading and chart take.
-    pub(super) fn height(&self, open: bool) -> f32 {
+    pub(super) const fn height(open: bool) -> f32 {
         if open { HEADING + CHART } else { HEADING }
     }
 

@@ -52,6 +52,7 @@ pub struct CutScene<'a> {
 
 /// What the cut plot keeps from frame to frame.
 #[derive(Debug)]
+#[allow(clippy::struct_excessive_bools, reason = "switches of the view that do not depend on one another")]
 pub struct CutView {
     /// What the canvas shows.
     pub canvas: CanvasView,
@@ -169,7 +170,7 @@ pub fn cut_plot(ui: &mut Ui, view: &mut CutView, scene: &CutScene<'_>) -> Vec<Cu
     let moves = &scene.derived.proof.moves;
     view.advance(ui, total_s(moves));
     let mut events = Vec::new();
-    let below = bar::HEIGHT + view.chips.height(view.chart) + 2.0 * ui.spacing().item_spacing.y;
+    let below = bar::HEIGHT + Chart::height(view.chart) + 2.0 * ui.spacing().item_spacing.y;
     let size = (ui.available_size() - Vec2::new(0.0, below)).max(Vec2::splat(40.0));
     picture(ui, view, scene, size, &mut events);
     bar::bar(ui, view, moves, scene.palette, &mut events);

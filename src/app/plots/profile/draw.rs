@@ -44,7 +44,9 @@ pub(super) fn scenery(painter: &Painter, frame: &Frame<'_>, view: &mut ProfileVi
     }
     centre_line(painter, screen, scene.palette);
     for (section, strength) in [(scene.hovered, 0.55), (scene.selected, 1.0)] {
-        section.into_iter().for_each(|id| lit_section(painter, frame, id, strength));
+        if let Some(id) = section {
+            lit_section(painter, frame, id, strength);
+        }
     }
 }
 

@@ -163,8 +163,9 @@ pub fn profile_plot(ui: &mut Ui, view: &mut ProfileView, scene: &ProfileScene<'_
     }
     handles::handles(ui, &frame, view, &mut events);
     canvas::overlay(ui, &view.canvas, &canvas, scene.palette);
-    if let Some(pos) = canvas.response.hover_pos().filter(|_| over_empty) {
-        hatch::hover_text(&frame, pos).into_iter().for_each(|lines| tip(&painter, scene.palette, pos, &lines));
+    let pos = canvas.response.hover_pos().filter(|_| over_empty);
+    if let Some((pos, lines)) = pos.and_then(|pos| Some((pos, hatch::hover_text(&frame, pos)?))) {
+        tip(&painter, scene.palette, pos, &lines);
     }
     events
 }
