@@ -17,7 +17,7 @@ const STOCK_TOLERANCE_MM: f64 = 1e-3;
 
 /// The clampings of `part_mm`, in order of machining, and what is to be said about them.
 ///
-/// Never fails: a bad row is left out or replaced by a straight line, which [`check`](super::check) reports. Only a
+/// Never fails: a bad row is left out or replaced by a straight line, which [`check()`](super::check()) reports. Only a
 /// part without a length has no set-ups. Lengths in mm.
 #[must_use]
 pub fn setups(part_mm: &TurnedPart, machine: &Machine) -> (Vec<Setup>, Vec<Diagnostic>) {
