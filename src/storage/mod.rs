@@ -4,8 +4,11 @@ mod atomic;
 mod check;
 mod document;
 mod examples;
+pub mod export;
 mod folders;
+pub mod import;
 mod locate;
+pub mod recovery;
 
 pub use atomic::replace_file;
 pub use document::{document_from_text, document_to_text, open_document, save_document};

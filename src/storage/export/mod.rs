@@ -1,0 +1,11 @@
+//! Writing parts as files for other programs and for people.
+
+mod cad;
+mod dxf;
+mod svg;
+mod table;
+
+pub use cad::cad;
+pub use dxf::dxf;
+pub use svg::svg;
+pub use table::{COLUMNS, csv, tsv, type_name};
