@@ -1,10 +1,12 @@
 //! Writing parts as files for other programs and for people.
 
+mod any;
 mod cad;
 mod dxf;
 mod svg;
 mod table;
 
+pub use any::any;
 pub use cad::cad;
 pub use dxf::dxf;
 pub use svg::svg;

@@ -58,12 +58,38 @@ fn load(file: &str, bytes: &[u8]) -> Result<Drawing, Diagnostic> {
         let message = format!("The file ends in line {lines} without the mark EOF; the rest is missing.");
         return Err(Diagnostic::error("dxf-truncated", line_place(file, lines, None), message));
     }
+    check_pairs(file, bytes)?;
     Drawing::load(&mut Cursor::new(bytes)).map_err(|e| {
         let at = line_of(&e).map_or_else(|| file_place(Path::new(file)), |line| line_place(file, line, None));
         let line = line_of(&e).and_then(|l| bytes.split(|&b| b == b'\n').nth(l - 1)).unwrap_or_default();
         let shown: String = String::from_utf8_lossy(line).trim().chars().take(60).collect();
         Diagnostic::error("dxf-unreadable", at, format!("The drawing cannot be read: {e}. The line reads `{shown}`."))
     })
+}
+
+/// Finds the first line of a text drawing that is not the number that it must be. The reader itself would stop there and
+/// complain about what follows.
+fn check_pairs(file: &str, bytes: &[u8]) -> Result<(), Diagnostic> {
+    if bytes.starts_with(b"AutoCAD Binary DXF") {
+        return Ok(());
+    }
+    let text = String::from_utf8_lossy(bytes);
+    let refused = |line: usize, found: &str, needed: &str| {
+        let shown: String = found.trim().chars().take(60).collect();
+        let message = format!("The line reads `{shown}` where {needed} is needed.");
+        Err(Diagnostic::error("dxf-number", line_place(file, line, None), message))
+    };
+    let lines: Vec<&str> = text.lines().collect();
+    for (line, pair) in (1..).step_by(2).zip(lines.chunks(2)) {
+        let [code, value] = pair else { break };
+        let Ok(code) = code.trim().parse::<i32>() else { return refused(line, code, "a group code, a whole number,") };
+        // Group codes of coordinates, lengths, angles and other figures, by the DXF reference.
+        let is_figure = matches!(code, 10..=59 | 110..=149 | 210..=239 | 460..=469 | 1010..=1059);
+        if is_figure && !value.trim().parse::<f64>().is_ok_and(f64::is_finite) {
+            return refused(line + 1, value, &format!("a finite number (group code {code})"));
+        }
+    }
+    Ok(())
 }
 
 /// The line that an error is about, from 1, where the reader says so.
@@ -244,9 +270,9 @@ mod tests {
         assert_eq!(bore, (1, vec!["dxf-overhang".to_owned()]));
         let twice = codes(vec![first(), first()], &[]);
         assert_eq!(twice, (1, vec![]));
-        let circle = Circle { radius: f64::NAN, ..Circle::default() };
-        let nan = codes(vec![first(), EntityType::Circle(circle)], &["radius NaN", "coordinate NaN"]);
-        assert_eq!(nan, (1, vec!["dxf-entity".to_owned()]));
+        let circle = Circle { radius: 1e6, ..Circle::default() };
+        let huge = codes(vec![first(), EntityType::Circle(circle)], &["radius 1000000", "up to 100000"]);
+        assert_eq!(huge, (1, vec!["dxf-entity".to_owned()]));
         let text = codes(vec![first(), EntityType::Text(::dxf::entities::Text::default())], &["kind Text"]);
         assert_eq!(text, (1, vec!["dxf-entity".to_owned()]));
     }

@@ -35,17 +35,20 @@ fn of_entity(entity: &Entity, scale: f64) -> Result<Vec<Segment>, String> {
         _ => return Err("is neither line, arc, circle nor light-weight polyline".to_owned()),
     };
     let segments: Vec<Segment> = segments.iter().map(|s| scaled(s, scale)).collect();
-    let bounds = segments.iter().flat_map(|s| {
-        let b = s.bounds();
-        [b.min.z, b.min.r, b.max.z, b.max.r]
-    });
-    for value in bounds {
-        // NaN compares as false.
-        if !(value.abs() <= MOST) {
-            return Err(format!("has the coordinate {value}, which is not a number up to {MOST}"));
-        }
+    // NaN compares as false, so this finds it too.
+    match segments.iter().flat_map(coordinates).find(|value| !(value.abs() <= MOST)) {
+        Some(value) => Err(format!("has the coordinate {value}, which is not a number up to {MOST}")),
+        None => Ok(segments),
     }
-    Ok(segments)
+}
+
+/// Every coordinate that a segment is made of.
+fn coordinates(segment: &Segment) -> Vec<f64> {
+    let center = match segment {
+        Segment::Line { .. } => None,
+        Segment::Arc { center, .. } => Some(*center),
+    };
+    [Some(segment.start()), Some(segment.end()), center].into_iter().flatten().flat_map(|p| [p.z, p.r]).collect()
 }
 
 /// True if the plane is seen from behind; an error if it is not the xy plane at all.

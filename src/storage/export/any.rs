@@ -1,0 +1,115 @@
+//! Writing a document as any kind of file, by the extension.
+
+use super::{cad, csv, dxf, svg, tsv};
+use crate::diagnostic::{Diagnostic, Place};
+use crate::document::{Content, Document, TurnedPart};
+use crate::machine::Catalog;
+use crate::part::{self, PartContour};
+use crate::storage::{replace_file, save_document};
+use crate::textfile::file_place;
+use std::path::Path;
+
+/// Largest distance of an exported arc from a parabola, mm: a hundredth of what shows on a drawing.
+const PARABOLA_TOLERANCE_MM: f64 = 0.001;
+
+/// Writes `document` as a document (`.turn`), an ORACAP part (`.cad` with `.SIZ` and `.END` beside it), a drawing of its
+/// profile (`.dxf`, `.svg`) or its section table (`.csv`, `.tsv`).
+///
+/// Returns what there is to say about it, such as settings that the kind of file cannot hold.
+///
+/// # Errors
+/// Diagnostics if the extension is none of these, no profile can be made, or a file cannot be written.
+pub fn any(document: &Document, catalog: &Catalog, path: &Path) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
+    let Content::TurnedPart(part) = &document.content;
+    let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
+    let mut diagnostics = Vec::new();
+    let written = match extension.as_str() {
+        "turn" => save_document(path, document),
+        "cad" => {
+            let (texts, more) = cad(document);
+            diagnostics.extend(more);
+            write(path, &texts.cad)
+                .and_then(|()| texts.siz.map_or(Ok(()), |text| write(&path.with_extension("SIZ"), &text)))
+                .and_then(|()| texts.end.map_or(Ok(()), |text| write(&path.with_extension("END"), &text)))
+        }
+        "dxf" => {
+            let contour = contour(document, part, catalog, &mut diagnostics)?;
+            dxf(&contour, document.unit).and_then(|text| write(path, &text))
+        }
+        "svg" => {
+            let contour = contour(document, part, catalog, &mut diagnostics)?;
+            write(path, &svg(&contour, &document.name))
+        }
+        "csv" => write(path, &csv(&part.sections, document.unit)),
+        "tsv" => write(path, &tsv(&part.sections)),
+        _ => Err(unknown(path, &extension)),
+    };
+    written.map(|()| diagnostics).map_err(|d| vec![d])
+}
+
+fn write(path: &Path, text: &str) -> Result<(), Diagnostic> {
+    replace_file(path, text.as_bytes())
+}
+
+/// The whole finished outside as lines and arcs, in mm, as it is clamped first.
+fn contour(
+    document: &Document,
+    part: &TurnedPart,
+    catalog: &Catalog,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Result<PartContour, Vec<Diagnostic>> {
+    let Some(machine) = catalog.machine(&part.machine) else {
+        let at = Place::Machine { id: part.machine.clone() };
+        return Err(vec![Diagnostic::error(
+            "unknown-machine",
+            at,
+            format!("There is no machine \"{}\".", part.machine),
+        )]);
+    };
+    let (setups, found) = part::setups(&part.scaled(document.unit.in_mm()), machine);
+    diagnostics.extend(found);
+    let first = setups.first().map(|setup| part::contour(&setup.profile, PARABOLA_TOLERANCE_MM));
+    first.ok_or_else(|| std::mem::take(diagnostics))
+}
+
+fn unknown(path: &Path, extension: &str) -> Diagnostic {
+    let message = format!("A part cannot be written as \".{extension}\".");
+    Diagnostic::error("unknown-file-kind", file_place(path), message)
+        .with_hint("Use .turn, .cad, .dxf, .svg, .csv or .tsv.")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::has_errors;
+    use crate::storage::{document_from_text, examples, import};
+
+    #[test]
+    fn every_example_is_written_as_every_kind_and_read_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let catalog = Catalog::shipped();
+        for example in examples() {
+            let document = document_from_text(example.name, example.text).unwrap();
+            for extension in ["turn", "CAD", "dxf", "svg", "csv", "tsv"] {
+                let path = folder.path().join(example.name).with_extension(extension);
+                let diagnostics = any(&document, &catalog, &path).unwrap();
+                assert!(!has_errors(&diagnostics), "{diagnostics:?}");
+                if !matches!(extension, "svg" | "csv") {
+                    let (again, diagnostics) = import::any(&path, "orac").unwrap();
+                    assert!(!has_errors(&diagnostics), "{path:?} {diagnostics:?}");
+                    assert_eq!(again.name, document.name);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn unknown_kinds_and_machines_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let document = document_from_text("", examples()[0].text).unwrap();
+        let fault = any(&document, &Catalog::shipped(), &folder.path().join("a.step")).unwrap_err();
+        assert!(fault[0].message.contains(".step"));
+        let fault = any(&document, &Catalog::default(), &folder.path().join("a.dxf")).unwrap_err();
+        assert!(fault[0].message.contains("\"orac\""));
+    }
+}
