@@ -22,7 +22,8 @@ pub(super) fn finish_right(plan: &Plan) -> Vec<CutMove> {
         for segment in &contour {
             moves.cut_along(segment, above);
         }
-        moves.travel_r(plan.datum.r, datum_rpm);
+        // At the feed of cutting: the leading edge takes a last sliver off the wall that the pass ended at.
+        moves.cut_r(plan.datum.r, datum_rpm);
         moves.travel_z(plan.face_z(), datum_rpm);
         moves.travel_r(above, center_rpm);
     });

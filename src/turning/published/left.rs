@@ -66,7 +66,8 @@ pub(super) fn finish_left(plan: &Plan) -> Vec<CutMove> {
             for segment in area {
                 moves.cut_along(segment, above);
             }
-            moves.travel_r(plan.datum.r, datum_rpm);
+            // At the feed of cutting, as on the right.
+            moves.cut_r(plan.datum.r, datum_rpm);
         }
         moves.travel_z(first.z, datum_rpm);
         moves.travel_r(first.r + above, plan.rpm(first.r));

@@ -9,6 +9,9 @@ use crate::turning::CutMove;
 /// when the thread begins.
 const RUN_IN_PITCHES: f64 = 1.0;
 
+/// Longest chamfer or rounding at the thread's beginning, in pitches, that the point passes on its way in.
+const LONGEST_LEAD_PITCHES: f64 = 2.0;
+
 /// The moves of all threads; none without threads.
 pub(super) fn cut_threads(plan: &Plan, threads: &[ThreadSpec]) -> Vec<CutMove> {
     let mut moves = plan.moves();
@@ -40,9 +43,16 @@ fn rpm(plan: &Plan, pitch: f64) -> f64 {
     (feed / pitch).min(limits.spindle_max_rpm)
 }
 
-/// Run-in before the thread; none if the part beside the thread is thicker than the thread's base.
+/// Distance before the thread at which the tool starts: over a chamfer or the like into the open, and the run-in from there;
+/// none if the part beside the thread is thicker than the thread's base.
 fn run_in(plan: &Plan, thread: &ThreadSpec) -> f64 {
     let length = thread.pitch * RUN_IN_PITCHES;
-    let beside = plan.surface.clipped(thread.z2, thread.z2 + length).largest_radius();
-    if beside <= thread.base_radius + SAME_MM { length } else { 0.0 }
+    let lead_end = thread.z2 + thread.pitch * LONGEST_LEAD_PITCHES;
+    let beside = plan.surface.clipped(thread.z2, lead_end + length);
+    let open = beside.runs_below(thread.base_radius + SAME_MM);
+    let free_end = std::iter::once(plan.face_z()).filter(|&face| face <= lead_end);
+    let starts = open.iter().filter(|run| run.z1 - run.z0 >= length - SAME_MM || run.z1 >= plan.face_z() - SAME_MM);
+    let nearest = starts.map(|run| run.z0).chain(free_end).filter(|&z| z <= lead_end).fold(f64::INFINITY, f64::min);
+    let over = plan.surface.clipped(thread.z2, nearest.min(lead_end)).largest_radius();
+    if nearest.is_finite() && over <= thread.outside_radius + SAME_MM { nearest - thread.z2 + length } else { 0.0 }
 }
