@@ -3,13 +3,20 @@
 //! A stage keeps one pair of input and output and compares inputs by value; an equal input gives the same `Arc` again, so
 //! later stages see that nothing changed.
 
-use crate::diagnostic::Diagnostic;
-use crate::document::Document;
-use crate::machine::{Machine, ToolOutline};
-use crate::part::{PartContour, Setup, UnreachableArea};
-use crate::post::PostOutput;
-use crate::proof::{ProgramText, ProofReport};
-use crate::turning::CutterPath;
+mod cache;
+mod stage;
+
+use crate::cancel::{Cancel, Cancelled};
+use crate::diagnostic::{Diagnostic, Place};
+use crate::document::{Content, Document, Generator, TurnedPart};
+use crate::machine::{self, Catalog, Machine, Material, ToolOutline};
+use crate::part::{self, PartContour, Setup, UnreachableArea};
+use crate::post::{PostOutput, orac};
+use crate::proof::{self, MayCut, ProgramText, ProofInput, ProofReport, Target, Work};
+use crate::turning::{self, CutterPath};
+pub use cache::{Cache, StageRuns};
+use cache::{SetupCache, Tools};
+pub use stage::Stage;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -47,4 +54,236 @@ pub struct SetupDerived {
     pub proof: Arc<ProofReport>,
     /// Outline of every tool of the machine by turret station.
     pub tools: Arc<BTreeMap<u32, ToolOutline>>,
+}
+
+/// Distance that lines and arcs may keep from a parabola when it is drawn, exported and proved, mm.
+pub const CONTOUR_TOLERANCE_MM: f64 = 0.0005;
+
+/// Makes everything that follows from `document`; what has not changed since the last call with the same `cache` is kept.
+///
+/// # Errors
+/// [`Cancelled`] once `cancel` was called; the cache stays usable.
+pub fn regenerate(
+    document: &Arc<Document>,
+    catalog: &Catalog,
+    cache: &mut Cache,
+    cancel: &Cancel,
+) -> Result<Derived, Cancelled> {
+    let Content::TurnedPart(part) = &document.content;
+    let part_mm = part.scaled(document.unit.in_mm());
+    let Some(machine) = catalog.machine(&part.machine).cloned().map(Arc::new) else {
+        let missing = no_such_machine(part, catalog);
+        return Ok(Derived {
+            document: Arc::clone(document),
+            machine: None,
+            setups: Vec::new(),
+            diagnostics: vec![missing],
+        });
+    };
+    let checks =
+        cache.checks.get((without_overrides(part), document.unit, Arc::clone(&machine)), |(part, unit, machine)| {
+            part::check(part, *unit, machine)
+        });
+    let setups = cache.setups.get((geometry_only(&part_mm), Arc::clone(&machine)), |(part, machine)| {
+        let (setups, diagnostics) = part::setups(part, machine);
+        (setups.into_iter().map(Arc::new).collect(), diagnostics)
+    });
+    let mut diagnostics = (*checks).clone();
+    add_new(&mut diagnostics, &setups.1);
+    let known_material = catalog.material(&part.material, document.unit);
+    if known_material.is_none() {
+        diagnostics.push(no_such_material(part, catalog));
+    }
+    // With an unknown material the first of the table stands in, so that the plots stay alive beside the message.
+    let Some(material) = known_material.or(catalog.materials.first()).map(Material::in_mm) else {
+        return Ok(Derived { document: Arc::clone(document), machine: Some(machine), setups: Vec::new(), diagnostics });
+    };
+    let context = Context {
+        name: file_stem(&document.name),
+        part_mm,
+        machine: Arc::clone(&machine),
+        tools: Arc::new(machine::outlines(&machine, catalog)),
+        material,
+    };
+    cache.of_setup.resize_with(setups.0.len(), SetupCache::default);
+    let mut made = Vec::with_capacity(setups.0.len());
+    for (setup, stages) in setups.0.iter().zip(&mut cache.of_setup) {
+        cancel.check()?;
+        made.push(regenerate_setup(&context, setup, stages, &mut diagnostics, cancel)?);
+    }
+    diagnostics.extend(stray_overrides(part, &made));
+    Ok(Derived { document: Arc::clone(document), machine: Some(machine), setups: made, diagnostics })
+}
+
+/// What all set-ups of one document share.
+struct Context {
+    name: String,
+    part_mm: TurnedPart,
+    machine: Arc<Machine>,
+    tools: Arc<Tools>,
+    material: Material,
+}
+
+fn regenerate_setup(
+    context: &Context,
+    setup: &Arc<Setup>,
+    stages: &mut SetupCache,
+    diagnostics: &mut Vec<Diagnostic>,
+    cancel: &Cancel,
+) -> Result<SetupDerived, Cancelled> {
+    let name = format!("{}{}", context.name, setup.suffix);
+    let contour = stages.contour.get(setup.profile.clone(), |p| part::contour(p, CONTOUR_TOLERANCE_MM));
+    let unreachable = stages.unreachable.get((Arc::clone(setup), Arc::clone(&context.tools)), |(setup, tools)| {
+        part::unreachable(setup, tools, &context.machine)
+    });
+    let path_input = (
+        Arc::clone(setup),
+        without_proof_settings(&context.part_mm),
+        Arc::clone(&context.machine),
+        context.material.clone(),
+    );
+    let path = stages.path.get(path_input, |(setup, part, machine, material)| {
+        let (path, diagnostics) = turning::published::generate(setup, part, machine, material);
+        (Arc::new(path), diagnostics)
+    });
+    add_new(diagnostics, &path.1);
+    cancel.check()?;
+    let Generator::Oracap { optimize, .. } = context.part_mm.generator;
+    let options = orac::Options { optimize, automatic: context.part_mm.automatic };
+    let post = stages.post.get(
+        (name.clone(), Arc::clone(&path.0), options, Arc::clone(&context.machine)),
+        |(name, path, options, machine)| orac::post(name, path, options, machine),
+    );
+    add_new(diagnostics, &post.diagnostics);
+    let programs = Arc::new(with_overrides(&post, &context.part_mm));
+    let input = ProofInput {
+        machine: Arc::clone(&context.machine),
+        tools: Arc::clone(&context.tools),
+        programs: Arc::clone(&programs),
+        work: Some(work_of(setup, &contour, &path.0, context.part_mm.form_tolerance)),
+    };
+    let proof = stages.proof.try_get(input, |input| proof::prove(input, cancel))?;
+    Ok(SetupDerived {
+        name,
+        setup: Arc::clone(setup),
+        contour,
+        unreachable,
+        path: Arc::clone(&path.0),
+        post,
+        programs,
+        proof,
+        tools: Arc::clone(&context.tools),
+    })
+}
+
+/// The part without the texts edited by hand, which neither checks nor generator look at.
+fn without_overrides(part: &TurnedPart) -> TurnedPart {
+    TurnedPart { overrides: BTreeMap::new(), ..part.clone() }
+}
+
+/// The part without what only the proof looks at, so that an edit of it reruns the proof alone.
+fn without_proof_settings(part: &TurnedPart) -> TurnedPart {
+    TurnedPart { form_tolerance: 0.0, ..without_overrides(part) }
+}
+
+/// The part without what only generator, post and proof look at, so that an edit of it leaves the geometry alone.
+fn geometry_only(part: &TurnedPart) -> TurnedPart {
+    TurnedPart { material: String::new(), generator: Generator::default(), ..without_proof_settings(part) }
+}
+
+fn with_overrides(post: &PostOutput, part: &TurnedPart) -> Vec<ProgramText> {
+    let text_of = |program: &crate::post::Program| match part.overrides.get(&program.name) {
+        Some(text) => ProgramText { name: program.name.clone(), text: text.clone(), edited: true },
+        None => ProgramText { name: program.name.clone(), text: program.text.clone(), edited: false },
+    };
+    post.programs.iter().map(text_of).collect()
+}
+
+/// What the programs of a clamping were proved with; `None` if the document's machine does not exist.
+#[must_use]
+pub fn proof_input(derived: &Derived, item: &SetupDerived) -> Option<ProofInput> {
+    let Content::TurnedPart(part) = &derived.document.content;
+    let form_tolerance_mm = part.form_tolerance * derived.document.unit.in_mm();
+    Some(ProofInput {
+        machine: Arc::clone(derived.machine.as_ref()?),
+        tools: Arc::clone(&item.tools),
+        programs: Arc::clone(&item.programs),
+        work: Some(work_of(&item.setup, &item.contour, &item.path, form_tolerance_mm)),
+    })
+}
+
+fn work_of(setup: &Setup, contour: &PartContour, path: &CutterPath, form_tolerance_mm: f64) -> Work {
+    Work {
+        stock: setup.stock.clone(),
+        target: Target {
+            contour: contour.contour.clone(),
+            sections: contour.sections.clone(),
+            machined_from_z: setup.machined_from_z,
+        },
+        program_zero_z: path.program_zero_z,
+        chuck_face_z: setup.chuck_face_z,
+        form_tolerance_mm,
+        may_cut: may_cut(setup),
+    }
+}
+
+/// Threads go below the contour by design, with their run-in and run-out, and so does the parting-off.
+fn may_cut(setup: &Setup) -> Vec<MayCut> {
+    /// A threading point reaches this many pitches beyond the end of its thread, and comes in from further out.
+    const RUN_OUT_PITCHES: f64 = 1.0;
+    const RUN_IN_PITCHES: f64 = 3.0;
+    let threads = setup.threads.iter().map(|t| MayCut {
+        z1: t.z1 - RUN_OUT_PITCHES * t.pitch,
+        z2: t.z2 + RUN_IN_PITCHES * t.pitch,
+        radius: t.base_radius,
+    });
+    let groove = setup.part_off_width.map(|width| MayCut { z1: -width, z2: 0.0, radius: 0.0 });
+    threads.chain(groove).collect()
+}
+
+fn no_such_machine(part: &TurnedPart, catalog: &Catalog) -> Diagnostic {
+    let known: Vec<&str> = catalog.machines.iter().map(|m| m.id.as_str()).collect();
+    let at = Place::Machine { id: part.machine.clone() };
+    Diagnostic::error("unknown-machine", at, format!("There is no machine \"{}\".", part.machine))
+        .with_hint(format!("Choose one of {}.", known.join(", ")))
+}
+
+fn no_such_material(part: &TurnedPart, catalog: &Catalog) -> Diagnostic {
+    let known: Vec<&str> = catalog.materials.iter().map(|m| m.name.as_str()).collect();
+    let message = format!("There is no material \"{}\" in the material table.", part.material);
+    Diagnostic::error("unknown-material", Place::Stock, message)
+        .with_hint(format!("Choose one of {}.", known.join(", ")))
+}
+
+fn stray_overrides(part: &TurnedPart, setups: &[SetupDerived]) -> Vec<Diagnostic> {
+    let exists = |name: &String| setups.iter().flat_map(|s| s.programs.iter()).any(|p| p.name == *name);
+    let stray = part.overrides.keys().filter(|name| !exists(name));
+    stray
+        .map(|name| {
+            Diagnostic::warning(
+                "override-without-program",
+                Place::Document,
+                format!("The text edited by hand for \"{name}\" belongs to no program of this part any more."),
+            )
+            .with_hint("Revert it, or rename the part back.")
+        })
+        .collect()
+}
+
+/// Adds what is not there yet: two stages may see the same mistake.
+fn add_new(all: &mut Vec<Diagnostic>, more: &[Diagnostic]) {
+    for diagnostic in more {
+        let known = all.iter().any(|d| d.code == diagnostic.code && d.at == diagnostic.at);
+        if !known {
+            all.push(diagnostic.clone());
+        }
+    }
+}
+
+/// The name of a document as the beginning of file names: letters, digits, `-` and `_`; anything else becomes `_`.
+#[must_use]
+pub fn file_stem(name: &str) -> String {
+    let stem: String =
+        name.trim().chars().map(|c| if c.is_alphanumeric() || "-_".contains(c) { c } else { '_' }).collect();
+    if stem.is_empty() { "PART".to_owned() } else { stem }
 }

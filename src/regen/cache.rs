@@ -1,0 +1,69 @@
+//! The stages that a document keeps between regenerations.
+
+use super::Stage;
+use crate::diagnostic::Diagnostic;
+use crate::document::TurnedPart;
+use crate::machine::{Machine, Material, ToolOutline};
+use crate::part::{PartContour, Profile, Setup, UnreachableArea};
+use crate::post::{PostOutput, orac};
+use crate::proof::{ProofInput, ProofReport};
+use crate::turning::CutterPath;
+use crate::units::Unit;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+pub(super) type Tools = BTreeMap<u32, ToolOutline>;
+
+/// What the last regeneration left behind; one a document.
+#[derive(Debug, Default)]
+pub struct Cache {
+    pub(super) checks: Stage<(TurnedPart, Unit, Arc<Machine>), Vec<Diagnostic>>,
+    pub(super) setups: Stage<(TurnedPart, Arc<Machine>), (Vec<Arc<Setup>>, Vec<Diagnostic>)>,
+    pub(super) of_setup: Vec<SetupCache>,
+}
+
+/// The stages of one clamping.
+#[derive(Debug, Default)]
+pub(super) struct SetupCache {
+    pub(super) contour: Stage<Profile, PartContour>,
+    pub(super) unreachable: Stage<(Arc<Setup>, Arc<Tools>), Vec<UnreachableArea>>,
+    pub(super) path: Stage<(Arc<Setup>, TurnedPart, Arc<Machine>, Material), (Arc<CutterPath>, Vec<Diagnostic>)>,
+    pub(super) post: Stage<(String, Arc<CutterPath>, orac::Options, Arc<Machine>), PostOutput>,
+    pub(super) proof: Stage<ProofInput, ProofReport>,
+}
+
+/// How often each stage has run, all clampings together.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct StageRuns {
+    /// Rules over the section table.
+    pub checks: u64,
+    /// Section table to set-ups.
+    pub setups: u64,
+    /// Profile to lines and arcs.
+    pub contour: u64,
+    /// Areas out of reach.
+    pub unreachable: u64,
+    /// Cutter location data.
+    pub path: u64,
+    /// Program text.
+    pub post: u64,
+    /// Proof.
+    pub proof: u64,
+}
+
+impl Cache {
+    /// How often each stage has run since the cache was made.
+    #[must_use]
+    pub fn runs(&self) -> StageRuns {
+        let sum = |count: fn(&SetupCache) -> u64| self.of_setup.iter().map(count).sum();
+        StageRuns {
+            checks: self.checks.runs(),
+            setups: self.setups.runs(),
+            contour: sum(|s| s.contour.runs()),
+            unreachable: sum(|s| s.unreachable.runs()),
+            path: sum(|s| s.path.runs()),
+            post: sum(|s| s.post.runs()),
+            proof: sum(|s| s.proof.runs()),
+        }
+    }
+}
