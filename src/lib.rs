@@ -11,6 +11,7 @@
 //! | [`session`], [`worker`] | document, undo history, newest `Derived`; the thread that makes it |
 //! | [`storage`] | documents, recovery, imports, exports |
 //! | [`transfer`] | links, protocols and the virtual lathe |
+//! | [`output`] | the files that a build writes |
 //! | [`regen`] | document to everything derived, in stages |
 //! | [`proof`] | the second opinion: program readers, stock removal, findings, times |
 //! | [`post`] | cutter location data to program text |
@@ -32,6 +33,7 @@ pub mod diagnostic;
 pub mod document;
 pub mod geometry;
 pub mod machine;
+pub mod output;
 pub mod part;
 pub mod post;
 pub mod proof;

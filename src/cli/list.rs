@@ -1,0 +1,52 @@
+//! `machines`, `tools`, `materials`.
+
+use super::{Ending, Outcome, catalog, say};
+use clap::Args;
+use serde::Serialize;
+use turnwright::units::Unit;
+
+/// List what is known.
+#[derive(Debug, Args)]
+pub(crate) struct List {
+    /// Print everything as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+#[allow(clippy::unnecessary_wraps, reason = "every command has the same signature")]
+pub(super) fn machines(args: &List) -> Outcome {
+    let catalog = catalog();
+    let lines = catalog.machines.iter().map(|m| format!("{:<16} {}", m.id, m.name));
+    print(args, &catalog.machines, lines);
+    Ok(Ending::Good)
+}
+
+#[allow(clippy::unnecessary_wraps, reason = "every command has the same signature")]
+pub(super) fn tools(args: &List) -> Outcome {
+    let catalog = catalog();
+    let lines = catalog.tools.iter().map(|t| format!("{:<16} {}", t.id, t.name));
+    print(args, &catalog.tools, lines);
+    Ok(Ending::Good)
+}
+
+#[allow(clippy::unnecessary_wraps, reason = "every command has the same signature")]
+pub(super) fn materials(args: &List) -> Outcome {
+    let catalog = catalog();
+    let lines = catalog.materials.iter().map(|m| {
+        let unit = if m.unit == Unit::Inch { "in" } else { "mm" };
+        format!(
+            "{:<10} cut {:>4} {unit}/min, rough {:.3} {unit}, finish 2 x {:.3} {unit}, thread {:.3} {unit}",
+            m.name, m.feed_cut, m.depth_rough, m.depth_finish, m.depth_thread
+        )
+    });
+    print(args, &catalog.materials, lines);
+    Ok(Ending::Good)
+}
+
+fn print<T: Serialize>(args: &List, all: &[T], lines: impl Iterator<Item = String>) {
+    if args.json {
+        say(&serde_json::to_string_pretty(all).unwrap_or_default());
+    } else {
+        lines.for_each(|line| say(&line));
+    }
+}

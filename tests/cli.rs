@@ -1,0 +1,122 @@
+//! The headless commands as a user runs them: files in, files out, exit codes.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn turnwright(args: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_turnwright")).args(args).output().expect("the program starts")
+}
+
+fn example(name: &str) -> String {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/examples").join(name).display().to_string()
+}
+
+fn code(output: &Output) -> i32 {
+    output.status.code().expect("the program ends by itself")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+fn built(name: &str) -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let out = folder.path().join("out");
+    let output = turnwright(&["build", &example(name), "--out", &out.display().to_string()]);
+    assert_eq!(code(&output), 0, "{}{}", text(&output.stdout), text(&output.stderr));
+    (folder, out)
+}
+
+fn json(path: &Path) -> serde_json::Value {
+    serde_json::from_str(&std::fs::read_to_string(path).expect("the file is there")).expect("the file is JSON")
+}
+
+#[test]
+fn every_example_builds_and_is_proved() {
+    for entry in std::fs::read_dir(Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/examples")).expect("examples") {
+        let name = entry.expect("an example").file_name().to_string_lossy().into_owned();
+        if name.ends_with(".turn") {
+            let (_keep, out) = built(&name);
+            assert_eq!(json(&out.join("report.json"))["good"], true, "{name}");
+        }
+    }
+}
+
+#[test]
+fn build_writes_contour_setup_programs_and_proof() {
+    let (_keep, out) = built("queen.turn");
+    let contour = json(&out.join("QUEEN.contour.json"));
+    let segments = contour["segments"].as_array().expect("segments");
+    assert!(segments.iter().any(|s| s["type"] == "arc" && s["radius"] == 30.0));
+    let setup = json(&out.join("QUEEN.setup.json"));
+    assert_eq!(setup["stock"]["bar_diameter"], 26.2);
+    assert_eq!(setup["tools"].as_array().map(Vec::len), Some(2), "right-hand and left-hand tool");
+    assert_eq!(json(&out.join("QUEEN.proof.json"))["passed"], true);
+    for file in ["QUEEN1.anc", "QUEEN1.bnc", "QUEEN1.cnc", "QUEEN2.cnc", "QUEEN5.bnc"] {
+        assert!(out.join(file).is_file(), "{file}");
+    }
+}
+
+#[test]
+fn prove_accepts_what_build_wrote() {
+    let (_keep, out) = built("master.turn");
+    for program in ["MASTER1.cnc", "MASTER2.cnc"] {
+        let path = out.join(program).display().to_string();
+        let output = turnwright(&["prove", &path, "--machine", "orac", "--part", &example("master.turn"), "--json"]);
+        assert_eq!(code(&output), 0, "{program}: {}", text(&output.stdout));
+        let report: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+        assert_eq!(report["passed"], true);
+        assert_eq!(report["differences"].as_array().map(Vec::len), Some(0));
+    }
+}
+
+/// The published demonstration: one z of an assembled MASTER program is changed, and the proof says which block and by how much.
+#[test]
+fn one_changed_z_is_found_with_its_block_and_amount() {
+    let (_keep, out) = built("master.turn");
+    let path = out.join("MASTER1.cnc");
+    let good = std::fs::read_to_string(&path).expect("the program");
+    let page = good.find("Z  -43.000").expect("the first stroke over the whole length");
+    let block = good[..page].matches("PAGE ").count();
+    std::fs::write(&path, good.replacen("Z  -43.000", "Z  -33.000", 1)).expect("written");
+    let path = path.display().to_string();
+    let output = turnwright(&["prove", &path, "--machine", "orac", "--part", &example("master.turn"), "--json"]);
+    assert_eq!(code(&output), 1, "{}", text(&output.stdout));
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let difference = &report["differences"][0];
+    assert_eq!(difference["block"], block);
+    assert!((difference["difference"].as_f64().expect("a number") - 10.0).abs() < 1e-9, "{difference}");
+}
+
+#[test]
+fn unusable_input_ends_with_two_and_names_the_place() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let broken = folder.path().join("broken.turn");
+    std::fs::write(&broken, "{\n  \"turnwright\": 1,\n  \"name\": 7\n}\n").expect("written");
+    let out = folder.path().join("out").display().to_string();
+    let output = turnwright(&["build", &broken.display().to_string(), "--out", &out]);
+    assert_eq!(code(&output), 2);
+    assert!(text(&output.stderr).contains("broken.turn:3"), "{}", text(&output.stderr));
+    assert_eq!(code(&turnwright(&["build", "no-such-file.turn", "--out", &out])), 2);
+    assert_eq!(code(&turnwright(&["prove", &example("queen.turn"), "--machine", "no-such-machine"])), 2);
+    assert_eq!(code(&turnwright(&["frobnicate"])), 2);
+}
+
+#[test]
+fn every_command_has_help() {
+    let commands = ["build", "prove", "send", "receive", "lathe", "convert", "machines", "tools", "materials"];
+    for command in commands {
+        let output = turnwright(&[command, "--help"]);
+        assert_eq!(code(&output), 0);
+        assert!(text(&output.stdout).contains("Usage:"), "{command}");
+    }
+}
+
+#[test]
+fn lists_are_readable_by_people_and_programs() {
+    for list in ["machines", "tools", "materials"] {
+        assert!(!text(&turnwright(&[list]).stdout).trim().is_empty());
+        let all: serde_json::Value = serde_json::from_slice(&turnwright(&[list, "--json"]).stdout).expect("JSON");
+        assert!(!all.as_array().expect("a list").is_empty());
+    }
+}
