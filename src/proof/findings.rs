@@ -40,12 +40,12 @@ impl Breach {
     }
 
     /// The same as a warning.
-    pub(super) fn as_warning(self) -> Self {
+    pub(super) fn into_warning(self) -> Self {
         Self { severity: Severity::Warning, ..self }
     }
 
     /// The same as a mere note.
-    pub(super) fn as_info(self) -> Self {
+    pub(super) fn into_info(self) -> Self {
         Self { severity: Severity::Info, ..self }
     }
 

@@ -240,7 +240,7 @@ mod tests {
     proptest! {
         #[test]
         fn a_point_is_inside_exactly_if_the_polygon_says_so(z in -25.0..15.0_f64, r in 0.0..12.0_f64) {
-            let truth = if z < -20.0 || z > 10.0 { false } else if z < -8.0 { r < 6.0 } else { z.hypot(r) < 10.0 };
+            let truth = if !(-20.0..=10.0).contains(&z) { false } else if z < -8.0 { r < 6.0 } else { z.hypot(r) < 10.0 };
             prop_assert_eq!(ball().inside(Point::new(z, r)), truth);
         }
     }

@@ -123,7 +123,7 @@ impl<'a> Judge<'a> {
             self.shown(depth.at)
         );
         let breach = Breach::error("slight gouge", FindingKind::Gouge, depth.mm, limit, message).at(depth.at);
-        findings.add(place, breach.as_info());
+        findings.add(place, breach.into_info());
     }
 
     /// Measures what is left and warns of every section that is not finished.
@@ -139,7 +139,7 @@ impl<'a> Judge<'a> {
                 l.mean_mm
             );
             let breach = Breach::error("leftover", FindingKind::Leftover, l.largest_mm, limit, message);
-            findings.add_each(last, breach.as_warning().at(l.at));
+            findings.add_each(last, breach.into_warning().at(l.at));
         }
         left
     }

@@ -1,8 +1,8 @@
 //! What the machine cannot exceed: travels, feed, speed, radius, taper and pitch.
 
-use super::control::Thread;
 use super::findings::{Breach, Findings, Place};
 use super::report::FindingKind;
+use super::step::Thread;
 use crate::geometry::{Bounds, Point, Segment};
 use crate::machine::Machine;
 
@@ -74,7 +74,7 @@ pub(super) fn check_move(
         );
     } else if feed < low - ROUNDING {
         let message = format!("The feed is {feed:.1} mm/min; the machine's lowest is given as about {low:.0} mm/min.");
-        findings.add(place, Breach::error("low feed", FindingKind::OutsideLimits, feed, low, message).as_warning());
+        findings.add(place, Breach::error("low feed", FindingKind::OutsideLimits, feed, low, message).into_warning());
     } else if feed > high + ROUNDING {
         breach("feed", feed, high, format!("The feed is {feed:.0} mm/min; the machine's highest is {high:.0} mm/min."));
     }

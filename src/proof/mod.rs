@@ -20,6 +20,7 @@ mod prove;
 pub mod reader;
 mod record;
 mod report;
+mod step;
 mod structure;
 
 pub use compare::{Change, compare};

@@ -1,12 +1,13 @@
 //! Runs the programs of one set-up one after another and puts the report together.
 
-use super::control::{Control, Sink, Step, Thread};
+use super::control::{Control, Sink};
 use super::findings::{Breach, Findings, Place};
 use super::input::ProofInput;
 use super::judge::Judge;
 use super::reader::{self, Listing};
 use super::record::{Played, Record};
 use super::report::{FindingKind, Motion, ProofReport, StockState};
+use super::step::{Step, Thread};
 use super::{limits, structure};
 use crate::cancel::{Cancel, Cancelled};
 use crate::diagnostic::Severity;
@@ -91,7 +92,7 @@ fn check_closed(control: &Control, place: Place, next_sets_datum: bool, findings
     );
     let breach =
         Breach::error("not closed", FindingKind::NotClosed, largest, CLOSING_TOLERANCE_MM, message).at(position);
-    findings.add(place, if next_sets_datum { breach.as_warning() } else { breach });
+    findings.add(place, if next_sets_datum { breach.into_warning() } else { breach });
 }
 
 fn report(run: Run<'_>, mut findings: Findings, last: Place, names: &[String]) -> ProofReport {

@@ -57,7 +57,7 @@ fn end(listing: &Listing, error: &mut impl FnMut(usize, &'static str, f64, f64, 
         // Lists of instructions get their end when they are assembled to pages.
         None if listing.layout == Layout::Instructions => {}
         None => {
-            error(blocks.len(), "no end", 0.0, 1.0, "The last block is not the end of the program (M02).".to_owned())
+            error(blocks.len(), "no end", 0.0, 1.0, "The last block is not the end of the program (M02).".to_owned());
         }
         Some(index) => {
             let beyond = outside_subroutines(&blocks[index + 1..]);
@@ -103,7 +103,7 @@ fn pairs(blocks: &[Block], error: &mut impl FnMut(usize, &'static str, f64, f64,
                 }
                 Some(_) => {}
                 None => {
-                    error(index + 1, "not open", 0.0, 1.0, format!("{} closes nothing that is open.", op.mnemonic()))
+                    error(index + 1, "not open", 0.0, 1.0, format!("{} closes nothing that is open.", op.mnemonic()));
                 }
             },
             _ => {}

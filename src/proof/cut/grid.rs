@@ -91,6 +91,11 @@ impl Window {
             && a.y.max(b.y) >= self.min.y
     }
 
+    /// The rectangle around both.
+    pub(super) fn union(self, other: Self) -> Self {
+        Self::around(&[self.min, self.max, other.min, other.max])
+    }
+
     /// True if the rectangles share a point.
     pub(super) fn meets(&self, other: &Self) -> bool {
         self.meets_edge(other.min, other.max)

@@ -8,7 +8,7 @@ mod sweep;
 use crate::geometry::{Bounds, Point, Segment};
 use crate::machine::{Chuck, ToolOutline};
 use cutter::Cutter;
-use grid::{GridPoint, Ring, from_grid, hull, overlaps, to_grid};
+use grid::{GridPoint, Ring, from_grid, hull, to_grid};
 use region::area_of;
 pub(super) use region::{CHORD_TOLERANCE_MM, Region};
 use std::collections::BTreeMap;
@@ -92,7 +92,7 @@ impl Cutting {
         let Some(cutter) = self.cutters.get(&tool) else { return Cut::default() };
         let chuck = collide(&mut self.jaws, cutter.insert.iter().chain(&cutter.holder), &points);
         let (mut flank, mut holder) = (None, None);
-        if near(&cutter.holder, &points, self.stock.rings()) || back_is_near(cutter, &points, self.stock.rings()) {
+        if near(&cutter.holder, &points, &self.stock) || back_is_near(cutter, &points, &self.stock) {
             (flank, holder) = in_steps(self.stock.copied(), cutter, path, points.len());
         }
         let taken = take(&mut self.stock, cutter, &points);
@@ -120,23 +120,19 @@ impl Cutting {
 
 /// Takes away what the insert covers on its way.
 fn take(stock: &mut Region, cutter: &Cutter, points: &[GridPoint]) -> Vec<Ring> {
-    let rings: Vec<Ring> = cutter
-        .insert
-        .iter()
-        .map(|piece| swept(piece, points))
-        .filter(|ring| overlaps(&hull(ring.clone()), stock.rings()))
-        .collect();
+    let rings: Vec<Ring> =
+        cutter.insert.iter().map(|piece| swept(piece, points)).filter(|ring| stock.may_meet(ring)).collect();
     if rings.is_empty() { Vec::new() } else { stock.cut_away(&rings).unwrap_or_default() }
 }
 
 /// True if a piece may overlap the rings on its way. Exact for a straight path.
-fn near(pieces: &[Ring], points: &[GridPoint], rings: &[Ring]) -> bool {
-    pieces.iter().any(|piece| overlaps(&hull(swept(piece, points)), rings))
+fn near(pieces: &[Ring], points: &[GridPoint], stock: &Region) -> bool {
+    pieces.iter().any(|piece| stock.may_meet(&swept(piece, points)))
 }
 
 /// True if stock may lie in front of an edge that cannot cut.
-fn back_is_near(cutter: &Cutter, points: &[GridPoint], rings: &[Ring]) -> bool {
-    points.windows(2).any(|step| back_sweeps(cutter, step).any(|ring| overlaps(&ring, rings)))
+fn back_is_near(cutter: &Cutter, points: &[GridPoint], stock: &Region) -> bool {
+    points.windows(2).any(|step| back_sweeps(cutter, step).any(|ring| stock.may_meet(&ring)))
 }
 
 /// What the edges that cannot cut and face forwards cover in one straight step.
@@ -162,7 +158,7 @@ fn in_steps(mut stock: Region, cutter: &Cutter, path: &Segment, chords: usize) -
     let (mut flank, mut holder) = (None, None);
     for k in 0..steps {
         let step = [at(k), at(k + 1)];
-        let back: Vec<Ring> = back_sweeps(cutter, &step).filter(|ring| overlaps(ring, stock.rings())).collect();
+        let back: Vec<Ring> = back_sweeps(cutter, &step).filter(|ring| stock.may_meet(ring)).collect();
         if !back.is_empty() {
             flank = larger(flank, contact(&stock.shared(&back)));
         }
@@ -174,8 +170,7 @@ fn in_steps(mut stock: Region, cutter: &Cutter, path: &Segment, chords: usize) -
 
 /// What pieces on their way share with a region.
 fn collide<'a>(region: &mut Region, pieces: impl Iterator<Item = &'a Ring>, points: &[GridPoint]) -> Option<Contact> {
-    let rings: Vec<Ring> =
-        pieces.map(|piece| swept(piece, points)).filter(|ring| overlaps(&hull(ring.clone()), region.rings())).collect();
+    let rings: Vec<Ring> = pieces.map(|piece| swept(piece, points)).filter(|ring| region.may_meet(ring)).collect();
     if rings.is_empty() { None } else { contact(&region.shared(&rings)) }
 }
 

@@ -1,6 +1,6 @@
 //! The stock as a region of the grid, and the polygon operations on it.
 
-use super::grid::{Ring, Window, area_mm2, from_grid, is_sliver, to_grid};
+use super::grid::{GridPoint, Ring, Window, area_mm2, from_grid, hull, is_sliver, overlaps, to_grid};
 use crate::geometry::Contour;
 use crate::proof::report::StockState;
 use i_overlay::core::fill_rule::FillRule;
@@ -15,6 +15,8 @@ pub(in crate::proof) const CHORD_TOLERANCE_MM: f64 = 0.000_5;
 #[derive(Default)]
 pub(in crate::proof) struct Region {
     rings: Vec<Ring>,
+    /// Rectangle around the rings.
+    window: Option<Window>,
     engine: Engine,
 }
 
@@ -54,8 +56,20 @@ impl Region {
     pub(in crate::proof) fn of_contour(contour: &Contour) -> Self {
         let ring: Ring = contour.polyline(CHORD_TOLERANCE_MM).into_iter().map(to_grid).collect();
         let mut region = Self::default();
-        region.rings = region.united(&[ring]);
+        let rings = region.united(&[ring]);
+        region.set(rings);
         region
+    }
+
+    fn set(&mut self, rings: Vec<Ring>) {
+        self.window = rings.iter().map(|ring| Window::around(ring)).reduce(Window::union);
+        self.rings = rings;
+    }
+
+    /// True if the material and the convex hull of `ring` may share more than their borders; exact if `ring` is convex.
+    pub(super) fn may_meet(&self, ring: &[GridPoint]) -> bool {
+        self.window.is_some_and(|window| window.meets(&Window::around(ring)))
+            && overlaps(&hull(ring.to_vec()), &self.rings)
     }
 
     /// The rings.
@@ -71,10 +85,6 @@ impl Region {
 
     /// Takes away what the rings of `cut` cover and returns what was taken; `None` if nothing was.
     pub(super) fn cut_away(&mut self, cut: &[Ring]) -> Option<Vec<Ring>> {
-        let window = Window::around(&cut.concat());
-        if !self.rings.iter().any(|ring| window.meets(&Window::around(ring))) {
-            return None;
-        }
         self.engine.load(&self.rings, cut);
         let mut buffer = i_overlay::core::extract::BooleanExtractionBuffer::default();
         let graph = self.engine.0.build_graph_view(FillRule::NonZero)?;
@@ -83,7 +93,7 @@ impl Region {
             return None;
         }
         let left = material(graph.extract_shapes(OverlayRule::Difference, &mut buffer));
-        self.rings = left;
+        self.set(left);
         Some(taken)
     }
 
@@ -99,7 +109,7 @@ impl Region {
 
     /// A copy with an engine of its own.
     pub(super) fn copied(&self) -> Self {
-        Self { rings: self.rings.clone(), engine: Engine::default() }
+        Self { rings: self.rings.clone(), window: self.window, engine: Engine::default() }
     }
 }
 

@@ -129,7 +129,8 @@ pub(super) fn absolute(body: &str) -> String {
 pub(super) const HEAD: usize = 3;
 
 pub(super) fn lines(text: &str) -> String {
-    text.lines().enumerate().map(|(i, l)| format!("{:>3}  {l}\n", i + 1)).collect()
+    let numbered: Vec<String> = text.lines().enumerate().map(|(i, l)| format!("{:>3}  {l}\n", i + 1)).collect();
+    numbered.concat()
 }
 
 pub(super) fn with_work(texts: &[&str], work: Work) -> ProofInput {

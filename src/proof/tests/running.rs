@@ -105,7 +105,8 @@ fn endless_and_impossible_control_flow_is_reported() {
         assert!(!report.passed, "{text}");
         assert!(kinds(&report).contains(&(kind, block)), "{text}: {:?}", report.findings);
     }
-    let deep: String = (1..=20).map(|n| format!("SUB {n}\nCALL {}\nESUB\n", n + 1)).collect();
+    let deep: Vec<String> = (1..=20).map(|n| format!("SUB {n}\nCALL {}\nESUB\n", n + 1)).collect();
+    let deep = deep.concat();
     let report = prove_lines(&format!("{START}CALL 1\nEND\n{deep}SUB 21\nESUB"));
     assert!(report.findings.iter().any(|f| f.kind == Control && f.message.contains("deep")));
 }
@@ -121,7 +122,7 @@ fn structure_of_pages_is_checked() {
         (page(1, mm) + &page(3, end), 2),
         (page(1, mm) + &page(1, mm) + &page(2, end), 2),
         (String::new(), 1),
-        ((1..=99).map(|n| page(n, mm)).collect::<String>() + &page(100, end), 100),
+        ((1..=99).map(|n| page(n, mm)).collect::<Vec<_>>().concat() + &page(100, end), 100),
     ] {
         let report = prove_texts(&[&text]);
         assert!(kinds(&report).contains(&(FindingKind::Structure, block)), "{:?}", report.findings);
@@ -201,4 +202,20 @@ fn cancelling_stops() {
     let cancel = crate::cancel::Cancel::default();
     cancel.cancel();
     assert!(prove(&input_of(&["1 MM"]), &cancel).is_err());
+}
+
+#[test]
+fn the_file_of_a_proof_says_its_verdict_first() {
+    let input = input_of(&[&lines(&format!("{START}CIRC -5 -5 5 CW 80 1 1000\nPTP 5 5 1000 1 1000\nEND"))]);
+    let report = prove_input(&input);
+    let text = proof_json(&input, &report);
+    assert!(text.starts_with("{\n  \"verdict\": \"passed\""), "{text}");
+    let file: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert_eq!(file["blocks"].as_array().map(Vec::len), Some(6));
+    let path: serde_json::Value = serde_json::from_str(&path_json(&input, &report)).unwrap();
+    assert_eq!(path.as_array().map(Vec::len), Some(report.moves.len()));
+    assert_eq!((&path[1]["to"]["x"], &path[1]["to"]["z"]), (&10.0.into(), &15.0.into()));
+    assert_eq!((&path[1]["center"]["x"], &path[1]["ccw"]), (&15.0.into(), &false.into()));
+    let failed = prove_texts(&["1 JMP"]);
+    assert!(proof_json(&input, &failed).starts_with("{\n  \"verdict\": \"failed\""));
 }
