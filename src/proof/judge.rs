@@ -13,6 +13,11 @@ use crate::geometry::Point;
 /// A gouge up to this depth, mm, is not worth a word: chords and rounding explain it.
 const NOTED_GOUGE_MM: f64 = 0.002;
 
+/// Stock wiped off at rapid feed is only warned of up to this mean thickness, mm: less than one finishing cut.
+const WIPED_THICKNESS_MM: f64 = 0.05;
+/// And up to this area, mm²: a trace 2 mm long.
+const WIPED_AREA_MM2: f64 = 0.1;
+
 /// The stock being cut and what must come out of it.
 pub(super) struct Judge<'a> {
     work: &'a Work,
@@ -147,7 +152,7 @@ impl<'a> Judge<'a> {
 
 fn collisions(cut: &Cut, place: Place, findings: &mut Findings) {
     let mut hit = |contact: Option<Contact>, rule, kind, what: &str| {
-        let Some(Contact { area_mm2, at }) = contact else { return };
+        let Some(Contact { area_mm2, at, .. }) = contact else { return };
         let message = format!("{what}: {area_mm2:.3} mm² overlap; {CONTACT_AREA_MM2} mm² is the limit.");
         findings.add(place, Breach::error(rule, kind, area_mm2, CONTACT_AREA_MM2, message).at(at));
     };
@@ -156,18 +161,22 @@ fn collisions(cut: &Cut, place: Place, findings: &mut Findings) {
     hit(cut.chuck, "chuck", FindingKind::ChuckCollision, "The tool runs into the chuck");
 }
 
+/// Stock that goes at rapid feed is an error, but for a thin trace such as a tool with a leaning edge wipes off a wall when it
+/// is drawn back: that is a warning.
 fn contact_findings(contact: Contact, played: &Played, place: Place, findings: &mut Findings) {
-    let Contact { area_mm2, at } = contact;
+    let Contact { area_mm2, thickness_mm, at } = contact;
     if matches!(played.motion, Motion::Rapid | Motion::Pause) {
         let how = if played.motion == Motion::Pause {
             "while the turret turns".to_owned()
         } else {
             format!("at the rapid feed of {:.0} mm/min", played.feed)
         };
-        let message =
-            format!("The insert goes through {area_mm2:.3} mm² of stock {how}; {CONTACT_AREA_MM2} mm² is the limit.");
-        findings
-            .add(place, Breach::error("rapid", FindingKind::RapidContact, area_mm2, CONTACT_AREA_MM2, message).at(at));
+        let message = format!(
+            "The insert goes through {area_mm2:.3} mm² of stock, {thickness_mm:.3} mm thick, {how}; {CONTACT_AREA_MM2} mm² is the limit."
+        );
+        let breach = Breach::error("rapid", FindingKind::RapidContact, area_mm2, CONTACT_AREA_MM2, message).at(at);
+        let wipes = thickness_mm <= WIPED_THICKNESS_MM && area_mm2 <= WIPED_AREA_MM2;
+        findings.add(place, if wipes { breach.into_warning() } else { breach });
     }
     if played.rpm <= 0.0 {
         let message = format!("The tool cuts {area_mm2:.3} mm² of stock with the spindle at rest (0 rev/min).");

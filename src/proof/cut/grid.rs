@@ -54,10 +54,14 @@ pub(super) fn area_mm2(ring: &[GridPoint]) -> f64 {
     doubled / 2.0 / (UNITS_PER_MM * UNITS_PER_MM)
 }
 
+/// Way around a ring, mm.
+pub(super) fn around_mm(ring: &[GridPoint]) -> f64 {
+    edges(ring).map(|(a, b)| length(a, b)).sum::<f64>() / UNITS_PER_MM
+}
+
 /// True if a ring is as thin as the rounding of the grid, so that it is no material.
 pub(super) fn is_sliver(ring: &[GridPoint]) -> bool {
-    let around: f64 = edges(ring).map(|(a, b)| length(a, b)).sum();
-    area_mm2(ring).abs() * UNITS_PER_MM * UNITS_PER_MM < TOUCH * around
+    area_mm2(ring).abs() * UNITS_PER_MM < TOUCH * around_mm(ring)
 }
 
 fn length(a: GridPoint, b: GridPoint) -> f64 {

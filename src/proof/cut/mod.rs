@@ -36,6 +36,8 @@ pub(super) struct Cutting {
 pub(super) struct Contact {
     /// Area of the overlap, mm².
     pub area_mm2: f64,
+    /// Its mean thickness: area over half the way around, mm.
+    pub thickness_mm: f64,
     /// Middle of its largest piece.
     pub at: Point,
 }
@@ -125,9 +127,10 @@ fn take(stock: &mut Region, cutter: &Cutter, points: &[GridPoint]) -> Vec<Ring> 
     if rings.is_empty() { Vec::new() } else { stock.cut_away(&rings).unwrap_or_default() }
 }
 
-/// True if a piece may overlap the rings on its way. Exact for a straight path.
+/// True if a piece overlaps the stock somewhere on its way, before anything is cut.
 fn near(pieces: &[Ring], points: &[GridPoint], stock: &Region) -> bool {
-    pieces.iter().any(|piece| stock.may_meet(&swept(piece, points)))
+    let meets = |piece: &Ring, path: &[GridPoint]| stock.may_meet(&swept(piece, path));
+    pieces.iter().any(|piece| meets(piece, points) && points.windows(2).any(|step| meets(piece, step)))
 }
 
 /// True if stock may lie in front of an edge that cannot cut.
@@ -180,7 +183,8 @@ fn contact(rings: &[Ring]) -> Option<Contact> {
     let largest = rings.iter().max_by(|a, b| grid::area_mm2(a).total_cmp(&grid::area_mm2(b)))?;
     let bounds = Bounds::around(largest.iter().map(|&p| from_grid(p)))?;
     let at = Point::new(f64::midpoint(bounds.min.z, bounds.max.z), f64::midpoint(bounds.min.r, bounds.max.r));
-    (area_mm2 > CONTACT_AREA_MM2).then_some(Contact { area_mm2, at })
+    let thickness_mm = 2.0 * area_mm2 / rings.iter().map(|ring| grid::around_mm(ring)).sum::<f64>();
+    (area_mm2 > CONTACT_AREA_MM2).then_some(Contact { area_mm2, thickness_mm, at })
 }
 
 fn larger(a: Option<Contact>, b: Option<Contact>) -> Option<Contact> {
