@@ -2,7 +2,8 @@
 
 use crate::cancel::{Cancel, Cancelled};
 use crate::document::Document;
-use crate::regen::Derived;
+use crate::machine::Catalog;
+use crate::regen::{Cache, Derived, regenerate};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -15,12 +16,11 @@ const PATIENCE: Duration = Duration::from_millis(300);
 /// Makes everything that follows from a document. One lives as long as nothing panics; it may keep a cache.
 pub type Regenerate = Box<dyn FnMut(&Arc<Document>, &Cancel) -> Result<Derived, Cancelled>>;
 
-/// The work of the window's thread.
+/// The work of the window's thread: everything that follows from a document, with a cache from one to the next.
 #[must_use]
-pub fn regenerating(_catalog: Arc<crate::machine::Catalog>) -> Regenerate {
-    Box::new(|document, _cancel| {
-        Ok(Derived { document: Arc::clone(document), machine: None, setups: Vec::new(), diagnostics: Vec::new() })
-    })
+pub fn regenerating(catalog: Arc<Catalog>) -> Regenerate {
+    let mut cache = Cache::default();
+    Box::new(move |document, cancel| regenerate(document, &catalog, &mut cache, cancel))
 }
 
 /// What came of one document.

@@ -29,6 +29,41 @@ pub enum Action {
     Theme(egui::ThemePreference),
     /// Change the zoom: 1 in, -1 out, 0 normal.
     Zoom(i8),
+    /// Send the program that is shown to the lathe.
+    Send,
+    /// Send it although its proof fails: the second step.
+    SendAllTheSame,
+    /// Put the slider to the selected block.
+    ShowBlock,
+    /// Save, then do this.
+    SaveThen(Box<Action>),
+    /// Give up unsaved work, then do this.
+    GiveUp(Box<Action>),
+    /// Save into the document's file, or ask for one.
+    Save,
+    /// Ask where to save.
+    SaveAs,
+    /// Ask for a file to open or import.
+    AskOpen,
+    /// Ask for a file to export to.
+    AskExport,
+    /// Write the document into a file whose kind goes by its extension.
+    WriteTo(PathBuf),
+    /// Open what a run that crashed left behind, by index.
+    Recover(usize),
+    /// Throw away what a run that crashed left behind, by index.
+    ForgetRecovered(usize),
+    /// List the keyboard shortcuts.
+    Shortcuts,
+    /// Close the window.
+    Quit,
     /// Go to the place of a message.
     GoTo(Place),
+}
+
+impl Action {
+    /// True if the open document is left by it.
+    pub(crate) const fn leaves_document(&self) -> bool {
+        matches!(self, Self::New | Self::Open(_) | Self::OpenExample(_) | Self::Recover(_) | Self::Close | Self::Quit)
+    }
 }

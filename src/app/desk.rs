@@ -1,30 +1,59 @@
 //! The desk: everything the window keeps, and one frame of it.
 
 use super::actions::Action;
+use super::dialogs::{self, Dialog};
+use super::files::{self, Files};
 use super::layout::{Layout, Pane};
-use super::plots::{CutView, ProfileView};
+use super::plots::{BlockRef, CutView, Palette, ProfileView, SolidView};
+use super::problems::ProblemsView;
+use super::program::ProgramView;
 use super::sections::SectionsView;
 use super::start::StartPage;
 use super::theme::{self, Colors};
+use super::transfer::TransferPanel;
 use super::{menus, panes, status};
-use crate::diagnostic::{Diagnostic, Place, Severity};
-use crate::document::Document;
+use crate::diagnostic::{Diagnostic, Severity};
 use crate::machine::Catalog;
-use crate::session::Session;
+use crate::session::{GestureId, Session};
 use crate::storage;
-use egui::{Context, Margin, Panel, Ui};
-use egui_notify::Toasts;
+use crate::storage::recovery::Recovered;
+use crate::transfer::{Outcome, Progress};
+use egui::{Context, Margin, Panel, Ui, ViewportCommand};
+use egui_notify::{Toast, ToastLevel, Toasts};
 use serde::{Deserialize, Serialize};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
-/// Files that the start page offers.
-const RECENT_KEPT: usize = 8;
 /// Messages of one file that are shown as toasts; more would cover the desk.
 const SAID_AT_ONCE: usize = 3;
 /// How long a toast stays.
 const TOAST: Duration = Duration::from_secs(6);
+/// Age of an edit at which it goes into the recovery file; a crash may lose ten seconds at most.
+const RECOVER_AFTER: Duration = Duration::from_secs(4);
+
+/// What is around the window: folders of the user, and whether the system can be asked for files.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Surroundings {
+    /// The user's machines, tools and materials.
+    pub config_folder: Option<PathBuf>,
+    /// Recovery files.
+    pub recovery_folder: Option<PathBuf>,
+    /// Open the system's file dialogs.
+    pub system_dialogs: bool,
+}
+
+impl Surroundings {
+    /// Those of the user who runs the program.
+    #[must_use]
+    pub fn of_user() -> Self {
+        Self {
+            config_folder: storage::config_folder(),
+            recovery_folder: storage::data_folder().map(|folder| folder.join("recovery")),
+            system_dialogs: true,
+        }
+    }
+}
 
 /// What panels ask for while they are shown; the desk does it after the frame.
 pub(crate) struct Requests {
@@ -40,6 +69,10 @@ pub(crate) struct Requests {
 }
 
 impl Requests {
+    fn new(catalog: Arc<Catalog>) -> Self {
+        Self { actions: Vec::new(), hovered: None, pointer: None, catalog, complaints: Vec::new() }
+    }
+
     /// Says a sentence to the person.
     pub(crate) fn complain(&mut self, sentence: String) {
         self.complaints.push(sentence);
@@ -57,48 +90,66 @@ pub(crate) struct Settings {
 /// The views of the panels.
 #[derive(Default)]
 pub(crate) struct Views {
-    /// Section table.
     pub(crate) sections: SectionsView,
-    /// Profile plot.
     pub(crate) profile: ProfileView,
-    /// Cut plot.
     pub(crate) cut: CutView,
+    pub(crate) solid: SolidView,
+    pub(crate) program: ProgramView,
+    pub(crate) problems: ProblemsView,
+    /// Block at the slider in the last frame.
+    pub(crate) block_at_slider: Option<BlockRef>,
     /// Gesture of the drag in the profile plot.
-    pub(crate) drag: Option<crate::session::GestureId>,
+    pub(crate) drag: Option<GestureId>,
 }
 
 /// Everything that the window keeps.
 pub struct Desk {
-    catalog: Arc<Catalog>,
-    session: Option<Session>,
+    pub(super) surroundings: Surroundings,
+    pub(super) catalog: Arc<Catalog>,
+    pub(super) session: Option<Session>,
+    pub(super) layout: Layout,
+    pub(super) views: Views,
+    pub(super) transfer: TransferPanel,
+    pub(super) dialog: Option<Dialog>,
+    pub(super) files: Files,
+    pub(super) settings: Settings,
+    pub(super) recovered: Vec<Recovered>,
+    /// What to do once the document is saved.
+    pub(super) after_save: Option<Action>,
     start: StartPage,
-    layout: Layout,
-    views: Views,
-    settings: Settings,
     toasts: Toasts,
     pointer: Option<(f64, f64)>,
+    title: String,
 }
 
 impl Desk {
     /// A desk with the start page on it.
     #[must_use]
-    pub fn new(ctx: &Context) -> Self {
+    pub fn new(ctx: &Context, surroundings: Surroundings) -> Self {
         theme::install(ctx);
-        let (catalog, complaints) = Catalog::load(storage::config_folder().as_deref());
+        let (catalog, complaints) = Catalog::load(surroundings.config_folder.as_deref());
         let catalog = Arc::new(catalog);
+        let repaint = ctx.clone();
+        let recovered = files::recovered(surroundings.recovery_folder.as_deref());
+        let notify = move || repaint.request_repaint();
         let mut desk = Self {
+            files: Files::start(surroundings.recovery_folder.clone(), Arc::clone(&catalog), notify),
             start: StartPage::new(&catalog),
+            surroundings,
             catalog,
             session: None,
             layout: Layout::standard(),
             views: Views::default(),
+            transfer: TransferPanel::default(),
+            dialog: None,
             settings: Settings::default(),
+            recovered,
+            after_save: None,
             toasts: Toasts::default().with_margin(egui::vec2(16.0, 52.0)),
             pointer: None,
+            title: String::new(),
         };
-        for complaint in complaints.iter().filter(|c| c.severity == Severity::Error) {
-            desk.say(&complaint.message);
-        }
+        desk.say_all(&complaints);
         desk
     }
 
@@ -133,26 +184,83 @@ impl Desk {
         self.session.as_mut()
     }
 
+    /// How the last transfer ended.
+    #[must_use]
+    pub const fn transfer_outcome(&self) -> Option<&Outcome> {
+        self.transfer.outcome()
+    }
+
+    /// How far the transfer that runs is; `None` while none runs.
+    #[must_use]
+    pub fn transfer_progress(&self) -> Option<&Progress> {
+        self.transfer.is_running().then(|| self.transfer.progress())
+    }
+
+    /// True while the window asks whether to send a program whose proof fails.
+    #[must_use]
+    pub const fn asks_to_insist(&self) -> bool {
+        self.transfer.waits_for_second_step()
+    }
+
+    /// Puts the slider of the cut to this time, s.
+    pub const fn play_from(&mut self, time_s: f64) {
+        self.views.cut.time_s = time_s;
+    }
+
+    /// Keeps transfers to the speed of the line, or not.
+    pub const fn set_paced(&mut self, paced: bool) {
+        self.transfer.paced = paced;
+    }
+
     /// One frame.
     pub fn ui(&mut self, ui: &mut Ui) {
-        if let Some(session) = &mut self.session {
-            session.receive();
+        let ctx = ui.ctx().clone();
+        self.receive(&ctx);
+        let mut requests = Requests::new(Arc::clone(&self.catalog));
+        if self.dialog.is_none() {
+            super::shortcuts::read(ui, &mut requests.actions);
         }
-        let catalog = Arc::clone(&self.catalog);
-        let mut requests =
-            Requests { actions: Vec::new(), hovered: None, pointer: None, catalog, complaints: Vec::new() };
-        super::shortcuts::read(ui, &mut requests.actions);
-        take_dropped_files(ui, &mut requests.actions);
+        let dropped = ui.input(|i| i.raw.dropped_files.first().map(|file| file.path().to_owned()));
+        requests.actions.extend(dropped.map(Action::Open));
         self.frame(ui, &mut requests);
-        self.toasts.show(ui.ctx());
-        self.finish(ui.ctx(), requests);
+        dialogs::show(&ctx, &mut self.dialog, &mut requests.actions);
+        self.toasts.show(&ctx);
+        self.finish(&ctx, requests);
+        self.name_window(&ctx);
+    }
+
+    /// Takes what threads have made since the last frame, and does what the clock asks for.
+    fn receive(&mut self, ctx: &Context) {
+        if let Some(outcome) = self.transfer.receive() {
+            let (text, good) = (outcome.to_string(), outcome.is_good());
+            self.toast(&text, good);
+        }
+        while let Some(written) = self.files.written() {
+            self.after_writing(ctx, written);
+        }
+        if ctx.input(|i| i.viewport().close_requested()) && self.session.as_ref().is_some_and(Session::has_unsaved_work)
+        {
+            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+            self.act(ctx, Action::Quit);
+        }
+        let Some(session) = &mut self.session else { return };
+        session.receive();
+        match session.unrecovered_for() {
+            Some(age) if age >= RECOVER_AFTER => {
+                self.files.recover(Arc::clone(session.document()), session.path());
+                session.set_recovered();
+            }
+            Some(age) => ctx.request_repaint_after(RECOVER_AFTER.saturating_sub(age)),
+            None => {}
+        }
     }
 
     fn frame(&mut self, ui: &mut Ui, requests: &mut Requests) {
         let colors = Colors::of(ui.visuals());
         let bar = |margin| egui::Frame::new().fill(colors.panel).inner_margin(margin);
-        Panel::top("header").frame(bar(Margin::symmetric(12, 8))).show(ui, |ui| {
-            menus::show(ui, self.session.as_ref(), &self.layout, requests);
+        let hindrance = self.session.as_ref().and_then(|s| self.transfer.hindrance(s));
+        Panel::top("header").frame(bar(Margin::symmetric(14, 7))).show(ui, |ui| {
+            menus::show(ui, self.session.as_ref(), &self.layout, hindrance.as_deref(), requests);
         });
         if let Some(session) = &self.session {
             Panel::bottom("status").frame(bar(Margin::symmetric(14, 4))).show(ui, |ui| {
@@ -161,24 +269,25 @@ impl Desk {
         }
         let ground = egui::Frame::new().fill(colors.ground).inner_margin(Margin::same(8));
         egui::CentralPanel::default().frame(ground).show(ui, |ui| match &mut self.session {
-            None => self.start.show(ui, &self.settings.recent, &mut requests.actions),
+            None => self.start.show(ui, &self.settings.recent, &self.recovered, &mut requests.actions),
             Some(session) => {
-                let problems = session.problems().len();
+                let problems = session.problems().iter().filter(|d| d.severity > Severity::Info).count();
                 let badge = move |pane: Pane| (pane == Pane::Problems).then_some(problems);
-                let views = &mut self.views;
-                self.layout
-                    .ui(ui, &badge, &mut |ui, pane, titled| panes::show(ui, pane, titled, session, views, requests));
+                let (views, transfer) = (&mut self.views, &mut self.transfer);
+                self.layout.ui(ui, &badge, &mut |ui, pane, titled| {
+                    panes::show(ui, pane, titled, session, views, transfer, requests)
+                });
             }
         });
     }
 
     fn finish(&mut self, ctx: &Context, requests: Requests) {
         self.pointer = requests.pointer;
-        if let Some(session) = &mut self.session {
-            if session.selection.hovered != requests.hovered {
-                session.selection.hovered = requests.hovered;
-                ctx.request_repaint();
-            }
+        if let Some(session) = &mut self.session
+            && session.selection.hovered != requests.hovered
+        {
+            session.selection.hovered = requests.hovered;
+            ctx.request_repaint();
         }
         for complaint in &requests.complaints {
             self.say(complaint);
@@ -189,109 +298,37 @@ impl Desk {
         }
     }
 
-    /// Does what a person asked for.
-    pub fn act(&mut self, ctx: &Context, action: Action) {
-        match action {
-            Action::New => self.open_document(ctx, new_part(), None),
-            Action::Open(path) => self.open_file(ctx, &path),
-            Action::OpenExample(index) => self.open_example(ctx, index),
-            Action::Close => self.session = None,
-            Action::Undo => self.session.iter_mut().for_each(Session::undo),
-            Action::Redo => self.session.iter_mut().for_each(Session::redo),
-            Action::TogglePane(pane) => self.layout.set_shown(pane, !self.layout.is_shown(pane)),
-            Action::ShowPane(pane) => self.layout.bring_to_front(pane),
-            Action::ResetLayout => self.layout = Layout::standard(),
-            Action::Theme(theme) => ctx.set_theme(theme),
-            Action::Zoom(0) => ctx.set_zoom_factor(1.0),
-            Action::Zoom(step) => ctx.set_zoom_factor((ctx.zoom_factor() + 0.1 * f32::from(step)).clamp(0.5, 3.0)),
-            Action::GoTo(place) => self.go_to(&place),
+    fn name_window(&mut self, ctx: &Context) {
+        let title = self.session.as_ref().map_or_else(
+            || "Turnwright".to_owned(),
+            |s| format!("{}{} – Turnwright", menus::name_of(s), if s.has_unsaved_work() { " *" } else { "" }),
+        );
+        if title != self.title {
+            ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
+            self.title = title;
         }
     }
 
-    fn open_document(&mut self, ctx: &Context, document: Document, path: Option<PathBuf>) {
-        let catalog = Arc::clone(&self.catalog);
-        let ctx = ctx.clone();
-        let make = move || crate::worker::regenerating(Arc::clone(&catalog));
-        self.session = Some(Session::new(document, path, make, move || ctx.request_repaint()));
-        self.views = Views::default();
-    }
-
-    fn open_file(&mut self, ctx: &Context, path: &Path) {
-        match storage::open_document(path) {
-            Ok(document) => {
-                self.settings.recent.retain(|p| p != path);
-                self.settings.recent.insert(0, path.to_owned());
-                self.settings.recent.truncate(RECENT_KEPT);
-                self.open_document(ctx, document, Some(path.to_owned()));
-            }
-            Err(reasons) => self.say_all(&reasons),
-        }
-    }
-
-    fn open_example(&mut self, ctx: &Context, index: usize) {
-        let Some(example) = storage::examples().get(index) else { return };
-        match storage::document_from_text(example.name, example.text) {
-            Ok(document) => self.open_document(ctx, document, None),
-            Err(reasons) => self.say_all(&reasons),
-        }
-    }
-
-    fn go_to(&mut self, place: &Place) {
-        let Some(session) = &mut self.session else { return };
-        match place {
-            Place::Section { id, column, .. } => {
-                session.selection.section = Some(*id);
-                self.views.sections.go_to(session, *id, *column);
-                self.layout.bring_to_front(Pane::Sections);
-            }
-            Place::Stock | Place::Document | Place::Machine { .. } => self.layout.bring_to_front(Pane::Sections),
-            Place::Block { program, block } => {
-                session.select_block(program, *block);
-                self.layout.bring_to_front(Pane::Program);
-            }
-            Place::Tool { .. } | Place::Line { .. } | Place::File { .. } => {}
-        }
-    }
-
-    fn say_all(&mut self, diagnostics: &[Diagnostic]) {
+    pub(super) fn say_all(&mut self, diagnostics: &[Diagnostic]) {
         for diagnostic in diagnostics.iter().take(SAID_AT_ONCE) {
             self.say(&format!("{}: {}", diagnostic.at, diagnostic.message));
         }
     }
 
-    fn say(&mut self, sentence: &str) {
-        self.toasts.error(sentence.to_owned()).duration(TOAST);
+    pub(super) fn say(&mut self, sentence: &str) {
+        self.toast(sentence, false);
     }
-}
 
-fn take_dropped_files(ui: &Ui, actions: &mut Vec<Action>) {
-    let dropped = ui.input(|i| i.raw.dropped_files.first().map(|file| file.path().to_owned()));
-    actions.extend(dropped.map(Action::Open));
-}
+    pub(super) fn say_done(&mut self, sentence: &str) {
+        self.toast(sentence, true);
+    }
 
-/// A plain cylinder, for a person to go on from.
-fn new_part() -> Document {
-    use crate::document::{Content, FORMAT_VERSION, TurnedPart};
-    let part = TurnedPart {
-        machine: "orac".to_owned(),
-        material: "ALUMINUM".to_owned(),
-        bar_diameter: 25.0,
-        length: 40.0,
-        ends: crate::document::Ends::One,
-        part_off: false,
-        automatic: false,
-        generator: crate::document::Generator::default(),
-        form_tolerance: 0.05,
-        sections: vec![
-            crate::part::Section::line(1, 0.0, 22.0, 25.0, 22.0),
-            crate::part::Section::line(2, 25.0, 16.0, 40.0, 16.0),
-        ],
-        overrides: std::collections::BTreeMap::new(),
-    };
-    Document {
-        turnwright: FORMAT_VERSION,
-        name: "PART".to_owned(),
-        unit: crate::units::Unit::Mm,
-        content: Content::TurnedPart(part),
+    /// Icons of the bundled font: the toasts' own are in no bundled font.
+    fn toast(&mut self, sentence: &str, good: bool) {
+        let palette = Palette::LIGHT;
+        let (icon, color) = if good { ("✓", palette.accent) } else { ("⚠", palette.wrong) };
+        let mut toast = Toast::custom(sentence.to_owned(), ToastLevel::Custom(icon.to_owned(), color));
+        toast.duration(TOAST).closable(false);
+        self.toasts.add(toast);
     }
 }

@@ -20,6 +20,8 @@ pub enum Pane {
     Program,
     /// Diagnostics and findings.
     Problems,
+    /// The part in the round.
+    Solid,
     /// What is selected.
     Inspector,
     /// The way to the lathe.
@@ -28,8 +30,16 @@ pub enum Pane {
 
 impl Pane {
     /// All panels in the order of the View menu.
-    pub const ALL: [Self; 7] =
-        [Self::Sections, Self::Profile, Self::Cut, Self::Program, Self::Problems, Self::Inspector, Self::Transfer];
+    pub const ALL: [Self; 8] = [
+        Self::Sections,
+        Self::Profile,
+        Self::Cut,
+        Self::Program,
+        Self::Problems,
+        Self::Solid,
+        Self::Inspector,
+        Self::Transfer,
+    ];
 
     /// Name for people.
     #[must_use]
@@ -40,6 +50,7 @@ impl Pane {
             Self::Cut => "Cut",
             Self::Program => "Program",
             Self::Problems => "Problems",
+            Self::Solid => "3D",
             Self::Inspector => "Inspector",
             Self::Transfer => "Transfer",
         }
@@ -62,11 +73,12 @@ impl Layout {
     #[must_use]
     pub(crate) fn standard() -> Self {
         let mut tiles = Tiles::default();
-        let [sections, profile, cut, program, problems, inspector, transfer] = Pane::ALL.map(|p| tiles.insert_pane(p));
-        let text = tiles.insert_tab_tile(vec![program, problems]);
+        let [sections, profile, cut, program, problems, solid, inspector, transfer] =
+            Pane::ALL.map(|p| tiles.insert_pane(p));
+        let text = tiles.insert_tab_tile(vec![program, problems, solid]);
         let middle = column(&mut tiles, &[(profile, 0.385), (cut, 0.375), (text, 0.24)]);
         let right = column(&mut tiles, &[(inspector, 0.44), (transfer, 0.56)]);
-        let root = share(&mut tiles, LinearDir::Horizontal, &[(sections, 0.29), (middle, 0.515), (right, 0.195)]);
+        let root = share(&mut tiles, LinearDir::Horizontal, &[(sections, 0.302), (middle, 0.503), (right, 0.195)]);
         Self { tree: Tree::new(Id::unique("desk-layout"), root, tiles) }
     }
 

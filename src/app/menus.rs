@@ -5,12 +5,18 @@ use super::desk::Requests;
 use super::layout::{Layout, Pane};
 use super::shortcuts;
 use super::theme::{self, Colors};
-use super::widgets::{chip, clock};
+use super::widgets::{chip, clock, primary_button};
 use crate::session::{SaveState, Session, Verdict};
 use egui::{Align, Button, KeyboardShortcut, RichText, Ui};
 
 /// Shows the line.
-pub(crate) fn show(ui: &mut Ui, session: Option<&Session>, layout: &Layout, requests: &mut Requests) {
+pub(crate) fn show(
+    ui: &mut Ui,
+    session: Option<&Session>,
+    layout: &Layout,
+    hindrance: Option<&str>,
+    requests: &mut Requests,
+) {
     let colors = Colors::of(ui.visuals());
     egui::MenuBar::new().ui(ui, |ui| {
         ui.set_min_height(28.0);
@@ -19,9 +25,17 @@ pub(crate) fn show(ui: &mut Ui, session: Option<&Session>, layout: &Layout, requ
         file(ui, session, requests);
         edit(ui, session, requests);
         view(ui, layout, requests);
+        machine(ui, session, hindrance, requests);
+        help(ui, requests);
         if let Some(session) = session {
             name(ui, session, colors);
-            ui.with_layout(egui::Layout::right_to_left(Align::Center), |ui| verdict(ui, session, colors, requests));
+            ui.with_layout(egui::Layout::right_to_left(Align::Center), |ui| {
+                send(ui, session, hindrance, requests);
+                ui.add_space(6.0);
+                what(ui, session, colors);
+                ui.add_space(6.0);
+                verdict(ui, session, colors, requests);
+            });
         }
     });
 }
@@ -39,9 +53,25 @@ fn file(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) {
         if item(ui, "New part", Some(&shortcuts::NEW), true) {
             requests.actions.push(Action::New);
         }
+        if item(ui, "Open or import…", Some(&shortcuts::OPEN), true) {
+            requests.actions.push(Action::AskOpen);
+        }
+        ui.separator();
+        if item(ui, "Save", Some(&shortcuts::SAVE), session.is_some()) {
+            requests.actions.push(Action::Save);
+        }
+        if item(ui, "Save as…", Some(&shortcuts::SAVE_AS), session.is_some()) {
+            requests.actions.push(Action::SaveAs);
+        }
+        if item(ui, "Export…", Some(&shortcuts::EXPORT), session.is_some()) {
+            requests.actions.push(Action::AskExport);
+        }
         ui.separator();
         if item(ui, "Start page", None, session.is_some()) {
             requests.actions.push(Action::Close);
+        }
+        if item(ui, "Quit", Some(&shortcuts::QUIT), true) {
+            requests.actions.push(Action::Quit);
         }
     });
 }
@@ -92,13 +122,63 @@ fn view(ui: &mut Ui, layout: &Layout, requests: &mut Requests) {
 
 fn name(ui: &mut Ui, session: &Session, colors: &Colors) {
     ui.add_space(4.0);
-    let file = session.path().and_then(|p| p.file_name()).map(|n| n.to_string_lossy().into_owned());
-    ui.label(file.unwrap_or_else(|| session.document().name.clone()));
+    ui.label(name_of(session));
     if session.save_state() != SaveState::Saved && session.has_unsaved_work() {
         let (rect, response) = ui.allocate_exact_size(egui::vec2(8.0, 8.0), egui::Sense::hover());
         ui.painter().circle_filled(rect.center(), 3.5, colors.plot.wrong);
         response.on_hover_text("Not saved");
     }
+}
+
+/// Name of the document's file, or of the part.
+pub(crate) fn name_of(session: &Session) -> String {
+    let file = session.path().and_then(|p| p.file_name()).map(|n| n.to_string_lossy().into_owned());
+    file.unwrap_or_else(|| session.document().name.clone())
+}
+
+fn machine(ui: &mut Ui, session: Option<&Session>, hindrance: Option<&str>, requests: &mut Requests) {
+    ui.menu_button("Machine", |ui| {
+        let ready = session.is_some() && hindrance.is_none();
+        if item(ui, "Send the program", Some(&shortcuts::SEND), ready) {
+            requests.actions.push(Action::Send);
+        }
+        if item(ui, "Transfer panel", None, session.is_some()) {
+            requests.actions.push(Action::ShowPane(Pane::Transfer));
+        }
+    });
+}
+
+fn help(ui: &mut Ui, requests: &mut Requests) {
+    ui.menu_button("Help", |ui| {
+        if item(ui, "Keyboard", Some(&shortcuts::HELP), true) {
+            requests.actions.push(Action::Shortcuts);
+        }
+        ui.separator();
+        ui.label(format!("Turnwright {}", env!("CARGO_PKG_VERSION")));
+    });
+}
+
+fn send(ui: &mut Ui, session: &Session, hindrance: Option<&str>, requests: &mut Requests) {
+    let machine = session.derived().and_then(|d| d.machine.as_ref().map(|m| m.id.to_uppercase()));
+    let text = format!("Send to {}", machine.unwrap_or_else(|| "the lathe".to_owned()));
+    let button = primary_button(ui, &text, hindrance.is_none());
+    let button = match hindrance {
+        Some(reason) => button.on_disabled_hover_text(reason),
+        None => button,
+    };
+    if button.clicked() {
+        requests.actions.push(Action::Send);
+    }
+}
+
+/// Machine, bar and material in a few words.
+fn what(ui: &mut Ui, session: &Session, colors: &Colors) {
+    let part = session.part();
+    let unit = session.document().unit;
+    let bar = super::plots::fixed(part.bar_diameter, unit.decimals());
+    let bar = if bar.contains('.') { bar.trim_end_matches('0').trim_end_matches('.') } else { &bar };
+    let text = format!("{} · {bar} {} {}", part.machine.to_uppercase(), unit.symbol(), part.material.to_lowercase());
+    ui.label(theme::quiet(text, colors));
 }
 
 fn verdict(ui: &mut Ui, session: &Session, colors: &Colors, requests: &mut Requests) {
@@ -108,8 +188,8 @@ fn verdict(ui: &mut Ui, session: &Session, colors: &Colors, requests: &mut Reque
         Verdict::Proved { time_s, blocks } => {
             (format!("✔ Proved · {} · {blocks} pages", clock(time_s)), colors.good, colors.good_ground)
         }
-        Verdict::Failed { errors: 1 } => ("✖ 1 error".to_owned(), colors.plot.wrong, colors.wrong_ground),
-        Verdict::Failed { errors } => (format!("✖ {errors} errors"), colors.plot.wrong, colors.wrong_ground),
+        Verdict::Failed { errors: 1 } => ("✗ 1 error".to_owned(), colors.plot.wrong, colors.wrong_ground),
+        Verdict::Failed { errors } => (format!("✗ {errors} errors"), colors.plot.wrong, colors.wrong_ground),
     };
     if chip(ui, RichText::new(text).color(color), ground).on_hover_text("Show what the proof says").clicked() {
         requests.actions.push(Action::ShowPane(Pane::Problems));

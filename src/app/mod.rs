@@ -1,20 +1,27 @@
 //! The window: the only place that knows egui.
 
 mod actions;
+mod acts;
 mod desk;
+mod dialogs;
+mod files;
+mod inspector;
 mod layout;
 mod menus;
 mod panes;
 pub mod plots;
+mod problems;
+mod program;
 mod sections;
 mod shortcuts;
 mod start;
 mod status;
 mod theme;
+mod transfer;
 mod widgets;
 
 pub use actions::Action;
-pub use desk::Desk;
+pub use desk::{Desk, Surroundings};
 pub use layout::Pane;
 use std::path::PathBuf;
 pub use theme::install as install_theme;
@@ -35,7 +42,7 @@ pub fn run(path: Option<PathBuf>) -> Result<(), String> {
         .with_drag_and_drop(true);
     let options = eframe::NativeOptions { viewport, ..eframe::NativeOptions::default() };
     let create = move |cc: &eframe::CreationContext<'_>| -> Result<Box<dyn eframe::App>, _> {
-        let mut desk = Desk::new(&cc.egui_ctx);
+        let mut desk = Desk::new(&cc.egui_ctx, Surroundings::of_user());
         if let Some(storage) = cc.storage {
             desk.restore(|key| storage.get_string(key));
         }

@@ -2,9 +2,11 @@
 
 use super::desk::{Requests, Views};
 use super::layout::Pane;
-use super::plots::{self, CutEvent, CutScene, Dimension, End, Palette, Phase, ProfileEvent, ProfileScene};
+use super::plots::{self, CutEvent, CutScene, Dimension, End, Palette, Phase, ProfileEvent, ProfileScene, SolidScene};
 use super::sections::{self, cells};
+use super::transfer::{self, TransferPanel};
 use super::widgets::{link, title_row, toggle};
+use super::{inspector, problems, program};
 use crate::diagnostic::Column;
 use crate::session::Session;
 use egui::Ui;
@@ -16,13 +18,18 @@ pub(crate) fn show(
     titled: bool,
     session: &mut Session,
     views: &mut Views,
+    transfer: &mut TransferPanel,
     requests: &mut Requests,
 ) -> bool {
     match pane {
         Pane::Sections => sections::show(ui, &mut views.sections, session, requests, titled),
         Pane::Profile => profile(ui, titled, session, views, requests),
         Pane::Cut => cut(ui, titled, session, views, requests),
-        _ => title_row(ui, titled.then_some(pane.title()), "", |_| {}),
+        Pane::Program => program::show(ui, &mut views.program, session, requests, titled),
+        Pane::Problems => problems::show(ui, &mut views.problems, session, requests, titled),
+        Pane::Solid => solid(ui, titled, session, views),
+        Pane::Inspector => inspector::show(ui, session, requests, titled),
+        Pane::Transfer => transfer::show(ui, transfer, session, requests, titled),
     }
 }
 
@@ -56,6 +63,15 @@ fn profile(ui: &mut Ui, titled: bool, session: &mut Session, views: &mut Views, 
 
 /// Opacity of what belongs to an older document. Hardly dimmed, so that a drag does not flicker.
 const STALE: f32 = 0.85;
+
+fn solid(ui: &mut Ui, titled: bool, session: &Session, views: &mut Views) -> bool {
+    let dragged = title_row(ui, titled.then_some("3D"), "", |_| {});
+    let Some(setup) = session.setup() else { return dragged };
+    let palette = Palette::of(ui.visuals());
+    let stock_at_s = views.cut.stock.then_some(views.cut.time_s).filter(|_| views.cut.playing);
+    plots::solid_view(ui, &mut views.solid, &SolidScene { derived: setup, stock_at_s, palette: &palette });
+    dragged
+}
 
 fn setup_choice(ui: &mut Ui, session: &mut Session) {
     let count = session.derived().map_or(0, |d| d.setups.len());
@@ -155,7 +171,7 @@ fn edit_row(session: &mut Session, id: u32, what: &str, change: impl FnOnce(&mut
 }
 
 fn cut(ui: &mut Ui, titled: bool, session: &mut Session, views: &mut Views, requests: &mut Requests) -> bool {
-    let remark = session.setup().map(|s| block_remark(s, session)).unwrap_or_default();
+    let remark = session.setup().map(|s| views.cut.status(s)).unwrap_or_default();
     let dragged = title_row(ui, titled.then_some("Cut"), &remark, |ui| {
         if link(ui, "fit").clicked() {
             views.cut.canvas.fit();
@@ -185,14 +201,18 @@ fn cut(ui: &mut Ui, titled: bool, session: &mut Session, views: &mut Views, requ
             CutEvent::HoverBlock(_) | CutEvent::Scrub(_) => {}
         }
     }
+    follow_slider(session, views);
     dragged
 }
 
-fn block_remark(setup: &crate::regen::SetupDerived, session: &Session) -> String {
-    let total = setup.proof.blocks.len();
-    match session.selection.block {
-        Some(block) if total > 0 => format!("block {block} of {total}"),
-        _ if total > 0 => format!("{total} blocks"),
-        _ => String::new(),
+/// The block at the slider is the selected one, whoever moved the slider.
+fn follow_slider(session: &mut Session, views: &mut Views) {
+    let at_slider = session.setup().and_then(|setup| views.cut.block(setup));
+    if at_slider != views.block_at_slider {
+        views.block_at_slider = at_slider;
+        if let Some(at) = at_slider {
+            session.selection.program = at.program;
+            session.selection.block = Some(at.block);
+        }
     }
 }

@@ -12,6 +12,21 @@ pub(crate) const REDO_Y: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COM
 /// New part.
 pub(crate) const NEW: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::N);
 
+/// Open or import.
+pub(crate) const OPEN: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::O);
+/// Save.
+pub(crate) const SAVE: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::S);
+/// Save as.
+pub(crate) const SAVE_AS: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), Key::S);
+/// Export.
+pub(crate) const EXPORT: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::E);
+/// Send.
+pub(crate) const SEND: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Enter);
+/// Close the window.
+pub(crate) const QUIT: KeyboardShortcut = KeyboardShortcut::new(Modifiers::COMMAND, Key::Q);
+/// List of shortcuts.
+pub(crate) const HELP: KeyboardShortcut = KeyboardShortcut::new(Modifiers::NONE, Key::F1);
+
 /// Reads the shortcuts of this frame. While a text is being edited, undo belongs to the text.
 pub(crate) fn read(ui: &Ui, actions: &mut Vec<Action>) {
     let typing = ui.ctx().text_edit_focused();
@@ -25,5 +40,16 @@ pub(crate) fn read(ui: &Ui, actions: &mut Vec<Action>) {
         on(&REDO_Y, Action::Redo);
         on(&UNDO, Action::Undo);
     }
-    on(&NEW, Action::New);
+    for (shortcut, action) in [
+        (&NEW, Action::New),
+        (&OPEN, Action::AskOpen),
+        (&SAVE_AS, Action::SaveAs),
+        (&SAVE, Action::Save),
+        (&EXPORT, Action::AskExport),
+        (&SEND, Action::Send),
+        (&QUIT, Action::Quit),
+        (&HELP, Action::Shortcuts),
+    ] {
+        on(shortcut, action);
+    }
 }

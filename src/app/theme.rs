@@ -56,6 +56,10 @@ pub(crate) struct Colors {
     pub(crate) wrong_ground: Color32,
     /// Boxes with remarks, the log, code.
     pub(crate) inset: Color32,
+    /// Tool words of a program.
+    pub(crate) word_tool: Color32,
+    /// Spindle speed words of a program.
+    pub(crate) word_speed: Color32,
     /// Text on the accent colour.
     pub(crate) on_accent: Color32,
 }
@@ -75,6 +79,8 @@ impl Colors {
         good_ground: rgb(0xE3_F5EF),
         wrong_ground: rgb(0xFC_EADF),
         inset: rgb(0xF4_F5F7),
+        word_tool: rgb(0x9C_3F78),
+        word_speed: rgb(0x8A_5A00),
         on_accent: rgb(0xFF_FFFF),
     };
     const DARK: Self = Self {
@@ -91,6 +97,8 @@ impl Colors {
         good_ground: rgb(0x17_3A30),
         wrong_ground: rgb(0x43_2917),
         inset: rgb(0x13_171D),
+        word_tool: rgb(0xD9_8DB8),
+        word_speed: rgb(0xE0_B050),
         on_accent: rgb(0x0E_1A28),
     };
 

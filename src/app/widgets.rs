@@ -49,13 +49,21 @@ pub(crate) fn primary_button(ui: &mut Ui, text: &str, enabled: bool) -> Response
     let colors = Colors::of(ui.visuals());
     let text = RichText::new(text).font(theme::strong_font(theme::TEXT)).color(colors.on_accent);
     let button = egui::Button::new(text).fill(colors.plot.accent).stroke(Stroke::NONE).min_size(vec2(0.0, 27.0));
-    ui.add_enabled(enabled, button)
+    padded(ui, |ui| ui.add_enabled(enabled, button))
+}
+
+/// The same room left and right of the text in menus, where it is less, and elsewhere.
+fn padded(ui: &mut Ui, add: impl FnOnce(&mut Ui) -> Response) -> Response {
+    let before = std::mem::replace(&mut ui.spacing_mut().button_padding, vec2(12.0, 4.0));
+    let response = add(ui);
+    ui.spacing_mut().button_padding = before;
+    response
 }
 
 /// A word on a coloured ground with round ends.
 pub(crate) fn chip(ui: &mut Ui, text: RichText, ground: Color32) -> Response {
     let button = egui::Button::new(text).fill(ground).stroke(Stroke::NONE).corner_radius(CornerRadius::same(13));
-    ui.add(button.min_size(vec2(0.0, 25.0)))
+    padded(ui, |ui| ui.add(button.min_size(vec2(0.0, 25.0))))
 }
 
 /// A label in the left column of a form.
@@ -173,9 +181,12 @@ pub(crate) fn choice<T: PartialEq + Clone>(
     let lifted = response.hovered() || response.has_focus();
     let line = if lifted { colors.plot.construction } else { colors.field_line };
     ui.painter().rect(rect.shrink(0.5), 5.0, colors.panel, Stroke::new(1.0, line), egui::StrokeKind::Middle);
-    let text = ui.painter_at(rect.shrink2(vec2(8.0, 0.0)));
-    let at = egui::pos2(rect.right() - 20.0, rect.center().y);
-    text.text(at, egui::Align2::RIGHT_CENTER, shown, egui::FontId::proportional(theme::TEXT), colors.plot.text);
+    let font = egui::FontId::proportional(theme::TEXT);
+    let mut job = egui::text::LayoutJob::simple_singleline(shown.to_owned(), font, colors.plot.text);
+    job.wrap = egui::text::TextWrapping::truncate_at_width(rect.width() - 30.0);
+    let galley = ui.painter().layout_job(job);
+    let at = egui::pos2(rect.right() - 20.0 - galley.size().x, rect.center().y - galley.size().y / 2.0);
+    ui.painter().galley(at, galley, colors.plot.text);
     let tip = egui::pos2(rect.right() - 12.0, rect.center().y + 2.0);
     let arrow = vec![tip - vec2(3.5, 4.0), tip + vec2(3.5, -4.0), tip];
     ui.painter().add(egui::Shape::convex_polygon(arrow, colors.plot.quiet, Stroke::NONE));

@@ -4,7 +4,7 @@ mod history;
 
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::document::{Content, Document, TurnedPart};
-use crate::proof::{Finding, FindingKind, ProofReport};
+use crate::proof::{Finding, FindingKind, ProgramText, ProofReport};
 use crate::regen::{Derived, SetupDerived};
 use crate::worker::{Outcome, Regenerate, Worker};
 pub use history::{GestureId, History};
@@ -59,6 +59,17 @@ pub enum Verdict {
     },
 }
 
+/// Where a document comes from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Origin {
+    /// Its own file.
+    File(PathBuf),
+    /// New, an example, or imported: it has no file of its own yet.
+    Fresh,
+    /// Unsaved work of a run that crashed, with the document's own file if it had one.
+    Recovered(Option<PathBuf>),
+}
+
 /// One open document.
 pub struct Session {
     document: Arc<Document>,
@@ -66,6 +77,7 @@ pub struct Session {
     gestures: u64,
     saved: Option<Arc<Document>>,
     path: Option<PathBuf>,
+    recovered: bool,
     edited_at: Option<Instant>,
     worker: Worker,
     derived: Option<Arc<Derived>>,
@@ -77,12 +89,12 @@ pub struct Session {
 }
 
 impl Session {
-    /// Opens `document`, which came from `path` if it has a file of its own, and starts to regenerate it. `make` makes
-    /// the work of the thread, `notify` is called from the thread after every outcome.
+    /// Opens `document` and starts to regenerate it. `make` makes the work of the thread, `notify` is called from the
+    /// thread after every outcome.
     #[must_use]
     pub fn new(
         document: Document,
-        path: Option<PathBuf>,
+        origin: Origin,
         make: impl Fn() -> Regenerate + Send + 'static,
         notify: impl Fn() + Send + 'static,
     ) -> Self {
@@ -90,11 +102,16 @@ impl Session {
         let worker = Worker::start(make, notify);
         worker.post(Arc::clone(&document));
         Self {
-            saved: path.is_some().then(|| Arc::clone(&document)),
+            saved: matches!(origin, Origin::File(_)).then(|| Arc::clone(&document)),
+            recovered: matches!(origin, Origin::Recovered(_)),
             document,
             history: History::default(),
             gestures: 0,
-            path,
+            path: match origin {
+                Origin::File(path) => Some(path),
+                Origin::Recovered(path) => path,
+                Origin::Fresh => None,
+            },
             edited_at: None,
             worker,
             derived: None,
@@ -214,6 +231,12 @@ impl Session {
         self.derived.as_ref()?.setups.get(self.selection.setup)
     }
 
+    /// The program that is shown, as it will be sent.
+    #[must_use]
+    pub fn program(&self) -> Option<&ProgramText> {
+        self.setup()?.programs.get(self.selection.program)
+    }
+
     /// Selects a block of a program by name, in whatever clamping it is.
     pub fn select_block(&mut self, program: &str, block: usize) {
         let Some(derived) = &self.derived else { return };
@@ -306,7 +329,7 @@ impl Session {
         match self.save_state() {
             SaveState::Saved => false,
             SaveState::Edited => true,
-            SaveState::New => self.history.undo_label().is_some(),
+            SaveState::New => self.recovered || self.history.undo_label().is_some(),
         }
     }
 

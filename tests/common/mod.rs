@@ -1,10 +1,13 @@
 //! Pictures of the window without a GPU: a rasteriser for egui's triangles, and a harness around the desk.
 
+#![allow(unreachable_pub, reason = "shared by several test programs")]
+#![allow(clippy::expect_used, reason = "a test fails by panicking")]
+
 pub mod raster;
 
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use raster::{Raster, Textures};
+use raster::{Picture, Raster, Textures};
 use std::cell::RefCell;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
@@ -38,7 +41,7 @@ impl Window {
                     let whole_window = egui::UiBuilder::new().max_rect(ctx.content_rect());
                     ui.scope_builder(whole_window, |ui| {
                         ui.set_clip_rect(ctx.content_rect());
-                        desk.get_or_insert_with(|| Desk::new(&ctx)).ui(ui);
+                        desk.get_or_insert_with(|| Desk::new(&ctx, turnwright::app::Surroundings::default())).ui(ui);
                     });
                 },
                 None,
@@ -77,6 +80,8 @@ impl Window {
     pub fn open_example(&mut self, name: &str) {
         self.click(&format!("Open {name}"));
         self.until_current();
+        self.harness.remove_cursor();
+        self.harness.run_steps(3);
     }
 
     /// Waits until what is drawn belongs to the document as it is.
@@ -84,13 +89,33 @@ impl Window {
         self.until("regenerated", |desk| desk.session().is_some_and(Session::is_current));
     }
 
+    /// The window as it is now.
+    pub fn picture(&self) -> Picture {
+        self.textures.borrow().paint(&self.harness.ctx, self.harness.output())
+    }
+
     /// Draws the window as it is now and writes it to `screenshots/NAME.png` if `UPDATE_SCREENSHOTS=1`.
     pub fn screenshot(&self, name: &str) {
-        let picture = self.textures.borrow().paint(&self.harness.ctx, self.harness.output());
+        let picture = self.picture();
         assert!(picture.colors() > 8, "{name}: an empty picture");
         if std::env::var_os("UPDATE_SCREENSHOTS").is_some_and(|v| v == "1") {
             let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("screenshots");
             picture.save(&folder.join(format!("{name}.png")));
         }
     }
+}
+
+/// The published trick: one z of an assembled program is changed by hand, here a cut goes 4 mm too far.
+pub fn change_one_z(window: &mut Window) {
+    use turnwright::post::orac::{Instruction, compress, pages_text};
+    let program = window.session().program().cloned().expect("a program");
+    let (mut instructions, _) = compress(&program.text, &program.name);
+    let last_cut = instructions.iter_mut().rev().find_map(|i| match i {
+        Instruction::Ptp { z, feed, .. } if *z < -1000 && *feed < 1000 => Some(z),
+        _ => None,
+    });
+    *last_cut.expect("a cut towards the chuck") -= 4000;
+    let text = pages_text(&instructions);
+    window.session().edit_part("change one z by hand", None, |part| _ = part.overrides.insert(program.name, text));
+    window.until_current();
 }

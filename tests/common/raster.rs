@@ -1,5 +1,7 @@
 //! A rasteriser for egui's triangles: textured, clipped, premultiplied.
 
+#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "pixels are clipped to the picture")]
+
 use egui::{Color32, ImageData, Rect, TextureId, TexturesDelta, epaint};
 use std::cell::RefCell;
 use std::collections::{HashMap, HashSet};

@@ -21,7 +21,7 @@ pub(crate) fn handle(
                 key_press(view, session, columns, key, modifiers);
             }
             Event::Text(text) if !text.chars().all(char::is_whitespace) => {
-                begin_edit(view, session, columns, Some(text))
+                begin_edit(view, session, columns, Some(text));
             }
             Event::Copy => copy(ui, view, session),
             Event::Cut => {
@@ -180,7 +180,7 @@ pub(crate) fn copy(ui: &Ui, view: &SectionsView, session: &Session) {
     let rows = view.cursor.rows();
     let sections = &session.part().sections;
     if let Some(rows) = sections.get(*rows.start()..(rows.end() + 1).min(sections.len())) {
-        ui.copy_text(tsv::write(rows, session.document().unit));
+        ui.copy_text(crate::storage::export::tsv(rows));
     }
 }
 

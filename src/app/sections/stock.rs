@@ -19,22 +19,22 @@ pub(crate) fn show(ui: &mut Ui, session: &mut Session, requests: &Requests) {
     let unit = session.document().unit;
     let width = (ui.available_width() - 3.0 * BETWEEN) / 4.0;
     let grid = Grid { label: width - 8.0, field: width + 8.0 };
-    grid.row(ui, |ui| {
+    Grid::row(ui, |ui| {
         grid.length(ui, session, "Bar ⌀", "bar diameter", part.bar_diameter, unit, |p, v| p.bar_diameter = v);
         grid.length(ui, session, "Length", "part length", part.length, unit, |p, v| p.length = v);
     });
-    grid.row(ui, |ui| {
+    Grid::row(ui, |ui| {
         grid.ends(ui, session, part.ends);
         match part.ends {
             Ends::Two { split } => grid.split(ui, session, split, unit),
             Ends::One => grid.yes_no(ui, session, "Part off", part.part_off, |p, yes| p.part_off = yes),
         }
     });
-    grid.row(ui, |ui| {
+    Grid::row(ui, |ui| {
         grid.material(ui, session, &requests.catalog, &part);
         grid.unit(ui, session, unit);
     });
-    grid.row(ui, |ui| {
+    Grid::row(ui, |ui| {
         grid.length(ui, session, "Tolerance", "form tolerance", part.form_tolerance, unit, |p, v| p.form_tolerance = v);
         grid.yes_no(ui, session, "Automatic", part.automatic, |p, yes| p.automatic = yes);
     });
@@ -49,7 +49,7 @@ struct Grid {
 }
 
 impl Grid {
-    fn row(self, ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
+    fn row(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = BETWEEN;
             content(ui);
@@ -142,7 +142,7 @@ impl Grid {
         let set = |session: &mut Session, label: &str, parabolas, optimize| {
             session.edit_part(label, None, |p| p.generator = Generator::Oracap { parabolas, optimize });
         };
-        self.row(ui, |ui| {
+        Self::row(ui, |ui| {
             form_label(ui, "Optimize", self.label);
             let all = [(false, "no".to_owned()), (true, "yes".to_owned())];
             if let Some(optimize) = choice(ui, "Optimize", &optimize, &all, self.field) {
@@ -158,7 +158,7 @@ impl Grid {
             }
         });
         if let ParabolaCut::Arcs { tolerance } = parabolas {
-            self.row(ui, |ui| {
+            Self::row(ui, |ui| {
                 form_label(ui, "Arcs within", self.label);
                 if let Some(tolerance) = length_field(ui, "Arcs within", tolerance, unit, self.field) {
                     set(session, "arc tolerance", ParabolaCut::Arcs { tolerance }, optimize);

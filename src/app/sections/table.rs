@@ -11,7 +11,7 @@ use egui::{Align2, EventFilter, FontId, Id, Key, Modifiers, Rect, Response, Sens
 /// Width of the row numbers, points.
 const NUMBERS: f32 = 26.0;
 /// Width of the section type, points.
-const KIND: f32 = 84.0;
+const KIND: f32 = 96.0;
 /// Least width of a figure, points.
 const FIGURE: f32 = 55.0;
 

@@ -4,6 +4,7 @@ use super::cells;
 use crate::diagnostic::Column;
 use crate::document::TurnedPart;
 use crate::part::Section;
+use crate::storage::import::tsv;
 use crate::units::Unit;
 
 /// All columns in the order of the text.
@@ -19,16 +20,6 @@ pub(crate) const COLUMNS: [Column; 10] = [
     Column::D3,
     Column::Chords,
 ];
-
-/// Whole rows as text.
-#[must_use]
-pub(crate) fn write(rows: &[Section], unit: Unit) -> String {
-    let line = |row: &Section| {
-        let cells = COLUMNS.map(|column| cells::text(row, column, unit));
-        cells.join("\t").trim_end_matches('\t').to_owned()
-    };
-    rows.iter().map(line).collect::<Vec<_>>().join("\n")
-}
 
 /// Pastes `text` into the table at `row` and `column`. Lines that begin with a section type are whole rows from `row`
 /// on; others fill cells to the right and downwards. Rows are added where the text is longer than the table.
@@ -46,6 +37,9 @@ pub(crate) fn paste(
     if lines.is_empty() {
         return Err("There is nothing on the clipboard to paste.".to_owned());
     }
+    if lines.iter().any(|line| is_whole_row(line)) {
+        return paste_rows(part, row, text, unit);
+    }
     let mut edited = part.clone();
     for (offset, line) in lines.iter().enumerate() {
         let index = row + offset;
@@ -61,11 +55,31 @@ pub(crate) fn paste(
     Ok(lines.len())
 }
 
+fn is_whole_row(line: &str) -> bool {
+    let mut cells = line.split('\t');
+    let kind = cells.next().unwrap_or_default();
+    cells.next().is_some() && cells::find_kind(kind).is_ok()
+}
+
+/// Whole rows in the places of those from `row` on; ids of rows that were there stay.
+fn paste_rows(part: &mut TurnedPart, row: usize, text: &str, unit: Unit) -> Result<usize, String> {
+    let (rows, complaints) = tsv("clipboard", text, unit, part.unused_section_id());
+    if let Some(complaint) = complaints.first() {
+        return Err(format!("{}: {}", complaint.at, complaint.message));
+    }
+    let count = rows.len();
+    for (index, pasted) in (row..).zip(rows) {
+        match part.sections.get_mut(index) {
+            Some(present) => *present = Section { id: present.id, ..pasted },
+            None => part.sections.push(pasted),
+        }
+    }
+    Ok(count)
+}
+
 fn paste_line(section: &mut Section, column: Column, line: &str, unit: Unit) -> Result<(), String> {
     let cells: Vec<&str> = line.split('\t').map(str::trim).collect();
-    let whole_row = cells.len() > 1 && cells.first().is_some_and(|cell| cells::find_kind(cell).is_ok());
-    let first = if whole_row { Column::Kind } else { column };
-    let columns = COLUMNS.iter().skip_while(|c| **c != first);
+    let columns = COLUMNS.iter().skip_while(|c| **c != column);
     for (cell, column) in cells.iter().zip(columns).filter(|(cell, _)| !cell.is_empty()) {
         cells::set(section, *column, cell, unit).map_err(|reason| format!("{column}: {reason}"))?;
     }
@@ -99,7 +113,7 @@ mod tests {
     fn rows_copied_and_pasted_are_the_same() {
         let mut rows = vec![Section::line(1, 0.0, 20.0, 10.0, 16.0), Section::line(2, 10.0, 16.0, 14.0, 12.0)];
         rows[1].kind = SectionKind::Concave { radius: 7.5 };
-        let text = write(&rows, Unit::Mm);
+        let text = crate::storage::export::tsv(&rows);
         let mut pasted = part(Vec::new());
         assert_eq!(paste(&mut pasted, 0, Column::Kind, &text, Unit::Mm), Ok(2));
         assert_eq!(pasted.sections, rows);

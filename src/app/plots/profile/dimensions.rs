@@ -160,7 +160,7 @@ fn figure_text(ui: &Ui, frame: &Frame<'_>, view: &mut ProfileView, figure: &Figu
     let painter = ui.painter_at(frame.free);
     let galley = painter.layout_no_wrap(figure.text.clone(), FontId::proportional(TEXT), palette.text);
     let rect = Align2::CENTER_CENTER.anchor_size(figure.at, galley.size()).expand2(ROOM);
-    let response = ui.interact(rect, frame.id.with(figure.dimension), Sense::click());
+    let response = ui.interact(rect, frame.id.with(("figure", figure.dimension)), Sense::click());
     response.widget_info(|| {
         let name = format!("{}, {} {}", figure.name, figure.value, frame.scene.unit.symbol());
         egui::WidgetInfo::labeled(egui::Role::Button, true, name)

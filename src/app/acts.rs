@@ -1,0 +1,240 @@
+//! What the desk does when it is asked to.
+
+use super::actions::Action;
+use super::desk::{Desk, Views};
+use super::dialogs::{Dialog, FileDialog, Purpose, UnsavedQuestion};
+use super::files::Written;
+use super::layout::{Layout, Pane};
+use super::plots::BlockRef;
+use crate::diagnostic::Place;
+use crate::document::{Content, Document, Ends, FORMAT_VERSION, Generator, TurnedPart};
+use crate::part::Section;
+use crate::session::{Origin, Session};
+use crate::storage;
+use crate::units::Unit;
+use egui::{Context, ViewportCommand};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Files that the start page offers.
+const RECENT_KEPT: usize = 8;
+/// Machine of a part whose file names none.
+const FIRST_MACHINE: &str = "orac";
+
+impl Desk {
+    /// Does what a person asked for; asks first where unsaved work would be lost.
+    pub fn act(&mut self, ctx: &Context, action: Action) {
+        if action.leaves_document()
+            && let Some(session) = self.session.as_ref().filter(|s| s.has_unsaved_work())
+        {
+            let name = super::menus::name_of(session);
+            self.dialog = Some(Dialog::Unsaved(UnsavedQuestion { name, then: action }));
+            return;
+        }
+        match action {
+            Action::New => self.open_document(ctx, new_part(), Origin::Fresh),
+            Action::Open(path) => self.open_file(ctx, &path),
+            Action::OpenExample(index) => self.open_example(ctx, index),
+            Action::Recover(index) => self.open_recovered(ctx, index),
+            Action::ForgetRecovered(index) => self.forget_recovered(index),
+            Action::Close => self.session = None,
+            Action::Quit => {
+                self.session = None;
+                ctx.send_viewport_cmd(ViewportCommand::Close);
+            }
+            Action::GiveUp(then) => {
+                self.files.discard_recovery();
+                self.session = None;
+                self.act(ctx, *then);
+            }
+            Action::SaveThen(then) => {
+                self.after_save = Some(*then);
+                self.act(ctx, Action::Save);
+            }
+            Action::Save => self.save(ctx),
+            Action::SaveAs => self.ask_file(ctx, Purpose::SaveAs, "turn"),
+            Action::AskExport => self.ask_file(ctx, Purpose::Export, "dxf"),
+            Action::AskOpen => self.ask_file(ctx, Purpose::Open, ""),
+            Action::WriteTo(path) => self.write(path),
+            Action::Undo => self.session.iter_mut().for_each(Session::undo),
+            Action::Redo => self.session.iter_mut().for_each(Session::redo),
+            Action::TogglePane(pane) => self.layout.set_shown(pane, !self.layout.is_shown(pane)),
+            Action::ShowPane(pane) => self.layout.bring_to_front(pane),
+            Action::ResetLayout => self.layout = Layout::standard(),
+            Action::Theme(theme) => ctx.set_theme(theme),
+            Action::Zoom(0) => ctx.set_zoom_factor(1.0),
+            Action::Zoom(step) => ctx.set_zoom_factor((ctx.zoom_factor() + 0.1 * f32::from(step)).clamp(0.5, 3.0)),
+            Action::Shortcuts => self.dialog = Some(Dialog::Shortcuts),
+            Action::GoTo(place) => self.go_to(&place),
+            Action::ShowBlock => self.show_block(),
+            Action::Send => self.send(ctx, false),
+            Action::SendAllTheSame => self.send(ctx, true),
+        }
+    }
+
+    fn open_document(&mut self, ctx: &Context, document: Document, origin: Origin) {
+        let catalog = Arc::clone(&self.catalog);
+        let ctx = ctx.clone();
+        let make = move || crate::worker::regenerating(Arc::clone(&catalog));
+        self.session = Some(Session::new(document, origin, make, move || ctx.request_repaint()));
+        self.views = Views::default();
+        self.after_save = None;
+    }
+
+    fn open_file(&mut self, ctx: &Context, path: &Path) {
+        match storage::import::any(path, FIRST_MACHINE) {
+            Ok((document, remarks)) => {
+                let own = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("turn"));
+                let origin = if own { Origin::File(path.to_owned()) } else { Origin::Fresh };
+                self.remember_file(path);
+                self.open_document(ctx, document, origin);
+                self.say_all(&remarks);
+            }
+            Err(reasons) => self.say_all(&reasons),
+        }
+    }
+
+    fn remember_file(&mut self, path: &Path) {
+        self.settings.recent.retain(|p| p != path);
+        self.settings.recent.insert(0, path.to_owned());
+        self.settings.recent.truncate(RECENT_KEPT);
+    }
+
+    fn open_example(&mut self, ctx: &Context, index: usize) {
+        let Some(example) = storage::examples().get(index) else { return };
+        match storage::document_from_text(example.name, example.text) {
+            Ok(document) => self.open_document(ctx, document, Origin::Fresh),
+            Err(reasons) => self.say_all(&reasons),
+        }
+    }
+
+    fn open_recovered(&mut self, ctx: &Context, index: usize) {
+        if index >= self.recovered.len() {
+            return;
+        }
+        let recovered = self.recovered.remove(index);
+        self.open_document(ctx, recovered.document.clone(), Origin::Recovered(recovered.original.clone()));
+        self.files.take_over(recovered);
+    }
+
+    fn forget_recovered(&mut self, index: usize) {
+        if index < self.recovered.len()
+            && let Err(reason) = self.recovered.remove(index).discard()
+        {
+            self.say(&reason.message);
+        }
+    }
+
+    fn save(&mut self, ctx: &Context) {
+        let Some(session) = &self.session else { return };
+        match session.path() {
+            Some(path) => self.files.write(path.to_owned(), Arc::clone(session.document())),
+            None => self.ask_file(ctx, Purpose::SaveAs, "turn"),
+        }
+    }
+
+    fn ask_file(&mut self, ctx: &Context, purpose: Purpose, ending: &str) {
+        let name = self.session.as_ref().map(|s| s.document().name.to_lowercase());
+        let present = self.session.as_ref().and_then(|s| s.path().map(Path::to_owned));
+        let path = match purpose {
+            Purpose::Open => PathBuf::new(),
+            Purpose::SaveAs | Purpose::Export => {
+                present.or(name.map(PathBuf::from)).unwrap_or_default().with_extension(ending)
+            }
+        };
+        let system = self.surroundings.system_dialogs;
+        self.dialog = Some(Dialog::File(FileDialog::ask(ctx, purpose, &path, system)));
+    }
+
+    fn write(&mut self, path: PathBuf) {
+        if let Some(session) = &self.session {
+            self.files.write(path, Arc::clone(session.document()));
+        }
+    }
+
+    /// A file was written, or could not be.
+    pub(super) fn after_writing(&mut self, ctx: &Context, written: Written) {
+        let name = written.path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+        match written.result {
+            Err(reasons) => {
+                self.after_save = None;
+                self.say_all(&reasons);
+            }
+            Ok(remarks) => {
+                self.say_done(&format!("Saved {name}."));
+                self.say_all(&remarks);
+                if written.path.extension().is_some_and(|e| e.eq_ignore_ascii_case("turn")) {
+                    self.document_saved(ctx, &written.path, written.document);
+                }
+            }
+        }
+    }
+
+    fn document_saved(&mut self, ctx: &Context, path: &Path, document: Arc<Document>) {
+        self.remember_file(path);
+        if let Some(session) = &mut self.session {
+            session.set_saved(path.to_owned(), document);
+            if !session.has_unsaved_work() {
+                self.files.discard_recovery();
+            }
+        }
+        if let Some(action) = self.after_save.take() {
+            self.act(ctx, action);
+        }
+    }
+
+    fn send(&mut self, ctx: &Context, insists: bool) {
+        let Some(session) = &self.session else { return };
+        let ctx = ctx.clone();
+        self.transfer.send(session, insists, move || ctx.request_repaint());
+        self.layout.bring_to_front(Pane::Transfer);
+    }
+
+    fn go_to(&mut self, place: &Place) {
+        let Some(session) = &mut self.session else { return };
+        match place {
+            Place::Section { id, column, .. } => {
+                session.selection.section = Some(*id);
+                self.views.sections.go_to(session, *id, *column);
+                self.layout.bring_to_front(Pane::Sections);
+            }
+            Place::Block { program, block } => {
+                session.select_block(program, *block);
+                self.layout.bring_to_front(Pane::Program);
+                self.show_block();
+            }
+            Place::Stock | Place::Document | Place::Machine { .. } | Place::Tool { .. } => {
+                session.selection.section = None;
+                self.layout.bring_to_front(Pane::Sections);
+                self.layout.bring_to_front(Pane::Inspector);
+            }
+            Place::Line { .. } | Place::File { .. } => {}
+        }
+    }
+
+    fn show_block(&mut self) {
+        let Some(session) = &self.session else { return };
+        if let (Some(setup), Some(block)) = (session.setup(), session.selection.block) {
+            self.views.cut.go_to(setup, BlockRef { program: session.selection.program, block });
+        }
+    }
+}
+
+/// Two cylinders, for a person to go on from.
+fn new_part() -> Document {
+    let part = TurnedPart {
+        machine: FIRST_MACHINE.to_owned(),
+        material: "ALUMINUM".to_owned(),
+        bar_diameter: 25.0,
+        length: 40.0,
+        ends: Ends::One,
+        part_off: false,
+        automatic: false,
+        generator: Generator::default(),
+        form_tolerance: 0.25,
+        sections: vec![Section::line(1, 0.0, 22.0, 25.0, 22.0), Section::line(2, 25.0, 16.0, 40.0, 16.0)],
+        overrides: BTreeMap::new(),
+    };
+    Document { turnwright: FORMAT_VERSION, name: "PART".to_owned(), unit: Unit::Mm, content: Content::TurnedPart(part) }
+}

@@ -1,0 +1,168 @@
+//! Asking for a file: the system's dialog, and a path field for when there is none.
+
+use crate::app::actions::Action;
+use crate::app::theme::{self, Colors};
+use crate::app::widgets::primary_button;
+use egui::{Key, TextEdit, Ui};
+use std::path::{Path, PathBuf};
+use std::sync::mpsc::{Receiver, TryRecvError, channel};
+
+/// What the file is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Purpose {
+    /// Open a document or import a part.
+    Open,
+    /// Save the document.
+    SaveAs,
+    /// Write the part as another kind of file.
+    Export,
+}
+
+impl Purpose {
+    const fn title(self) -> &'static str {
+        match self {
+            Self::Open => "Open or import a part",
+            Self::SaveAs => "Save as",
+            Self::Export => "Export",
+        }
+    }
+
+    const fn remark(self) -> &'static str {
+        match self {
+            Self::Open => "Documents (.turn), ORACAP parts (.CAD), profiles (.dxf), section tables (.tsv).",
+            Self::SaveAs => "A document ends in .turn.",
+            Self::Export => "The kind goes by the ending: .CAD, .dxf, .svg, .csv or .tsv.",
+        }
+    }
+
+    const fn verb(self) -> &'static str {
+        match self {
+            Self::Open => "Open",
+            Self::SaveAs => "Save",
+            Self::Export => "Export",
+        }
+    }
+
+    const fn endings(self) -> &'static [&'static str] {
+        match self {
+            Self::Open => &["turn", "cad", "CAD", "dxf", "DXF", "tsv"],
+            Self::SaveAs => &["turn"],
+            Self::Export => &["CAD", "dxf", "svg", "csv", "tsv"],
+        }
+    }
+}
+
+/// The question which file.
+pub(crate) struct FileDialog {
+    purpose: Purpose,
+    path: String,
+    system: Option<Receiver<Option<PathBuf>>>,
+    fresh: bool,
+}
+
+impl FileDialog {
+    /// Asks for a file, beginning at `path`. With `system` the system's own dialog opens in front.
+    pub(crate) fn ask(ctx: &egui::Context, purpose: Purpose, path: &Path, system: bool) -> Self {
+        let mut dialog = Self { purpose, path: path.display().to_string(), system: None, fresh: true };
+        if system {
+            dialog.browse(ctx);
+        }
+        dialog
+    }
+
+    /// Opens the system's dialog on a thread of its own, because it returns only when it is closed.
+    fn browse(&mut self, ctx: &egui::Context) {
+        let (sender, receiver) = channel();
+        let (purpose, start, ctx) = (self.purpose, PathBuf::from(&self.path), ctx.clone());
+        std::thread::spawn(move || {
+            let mut dialog = rfd::FileDialog::new().set_title(purpose.title()).add_filter("Parts", purpose.endings());
+            if let Some(folder) = start.parent().filter(|p| p.is_dir()) {
+                dialog = dialog.set_directory(folder);
+            }
+            if let Some(name) = start.file_name() {
+                dialog = dialog.set_file_name(name.to_string_lossy());
+            }
+            let path = if purpose == Purpose::Open { dialog.pick_file() } else { dialog.save_file() };
+            // The window may be gone by now; then nobody waits for the answer.
+            let _ = sender.send(path);
+            ctx.request_repaint();
+        });
+        self.system = Some(receiver);
+    }
+
+    /// Shows the question; true when it is answered.
+    pub(super) fn show(&mut self, ui: &mut Ui, actions: &mut Vec<Action>) -> bool {
+        ui.set_width(460.0);
+        ui.label(theme::strong(self.purpose.title()).size(15.0));
+        ui.label(theme::quiet(self.purpose.remark(), Colors::of(ui.visuals())));
+        ui.add_space(8.0);
+        if let Some(path) = self.answer_of_system() {
+            self.path = path.display().to_string();
+            return self.finish(actions);
+        }
+        let response = ui.add(TextEdit::singleline(&mut self.path).hint_text("/path/to/file").desired_width(444.0));
+        response.widget_info(|| {
+            let mut info = egui::WidgetInfo::text_edit(true, "", &self.path, "");
+            info.label = Some("Path of the file".to_owned());
+            info
+        });
+        if std::mem::take(&mut self.fresh) {
+            response.request_focus();
+        }
+        let entered = response.lost_focus() && ui.input(|i| i.key_pressed(Key::Enter));
+        ui.add_space(8.0);
+        let mut cancelled = false;
+        let mut chosen = entered;
+        ui.horizontal(|ui| {
+            let ready = !self.path.trim().is_empty();
+            chosen |= primary_button(ui, self.purpose.verb(), ready).clicked();
+            if ui.add_enabled(self.system.is_none(), egui::Button::new("Browse…")).clicked() {
+                self.browse(ui.ctx());
+            }
+            cancelled = ui.button("Cancel").clicked();
+        });
+        cancelled || (chosen && self.finish(actions))
+    }
+
+    fn answer_of_system(&mut self) -> Option<PathBuf> {
+        match self.system.as_ref()?.try_recv() {
+            Ok(answer) => {
+                self.system = None;
+                answer
+            }
+            Err(TryRecvError::Empty) => None,
+            Err(TryRecvError::Disconnected) => {
+                self.system = None;
+                None
+            }
+        }
+    }
+
+    fn finish(&self, actions: &mut Vec<Action>) -> bool {
+        let path = PathBuf::from(self.path.trim());
+        if path.as_os_str().is_empty() {
+            return false;
+        }
+        actions.push(match self.purpose {
+            Purpose::Open => Action::Open(path),
+            Purpose::SaveAs => Action::WriteTo(with_ending(path, "turn")),
+            Purpose::Export => Action::WriteTo(path),
+        });
+        true
+    }
+}
+
+fn with_ending(path: PathBuf, ending: &str) -> PathBuf {
+    if path.extension().is_some_and(|e| e.eq_ignore_ascii_case(ending)) { path } else { path.with_extension(ending) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_document_gets_its_ending() {
+        assert_eq!(with_ending(PathBuf::from("a/queen"), "turn"), PathBuf::from("a/queen.turn"));
+        assert_eq!(with_ending(PathBuf::from("a/queen.TURN"), "turn"), PathBuf::from("a/queen.TURN"));
+    }
+}

@@ -1,0 +1,108 @@
+//! Every message about the document and its programs; a click goes to its place.
+
+use super::actions::Action;
+use super::desk::Requests;
+use super::theme::{self, Colors};
+use super::widgets::toggle;
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::session::{Session, Verdict};
+use egui::{Align2, FontId, Sense, Stroke, Ui, vec2};
+
+/// Which messages are shown.
+#[derive(Debug)]
+pub(crate) struct ProblemsView {
+    errors: bool,
+    warnings: bool,
+    remarks: bool,
+}
+
+impl Default for ProblemsView {
+    fn default() -> Self {
+        Self { errors: true, warnings: true, remarks: true }
+    }
+}
+
+/// Width of the column with the places, points.
+const PLACE: f32 = 132.0;
+
+/// Shows the panel; true if it is dragged by its title.
+pub(crate) fn show(
+    ui: &mut Ui,
+    view: &mut ProblemsView,
+    session: &Session,
+    requests: &mut Requests,
+    titled: bool,
+) -> bool {
+    let problems = session.problems();
+    let count = |severity| problems.iter().filter(|d| d.severity == severity).count();
+    let dragged = super::widgets::title_row(ui, titled.then_some("Problems"), "", |ui| {
+        toggle(ui, &mut view.remarks, &format!("{} remarks", count(Severity::Info)));
+        toggle(ui, &mut view.warnings, &format!("{} warnings", count(Severity::Warning)));
+        toggle(ui, &mut view.errors, &format!("{} errors", count(Severity::Error)));
+    });
+    if problems.is_empty() {
+        clean(ui, session);
+        return dragged;
+    }
+    let shown = |d: &&Diagnostic| match d.severity {
+        Severity::Error => view.errors,
+        Severity::Warning => view.warnings,
+        Severity::Info => view.remarks,
+    };
+    egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        for problem in problems.iter().filter(shown) {
+            row(ui, problem, requests);
+        }
+    });
+    dragged
+}
+
+fn clean(ui: &mut Ui, session: &Session) {
+    let colors = Colors::of(ui.visuals());
+    let text = match session.verdict() {
+        Verdict::Pending => "The proof is running.",
+        Verdict::NoProgram => "There is nothing to complain about, and no program to prove yet.",
+        Verdict::Proved { .. } | Verdict::Failed { .. } => {
+            "No problems. Every section is sound, and the proof of the program found nothing wrong."
+        }
+    };
+    ui.label(theme::quiet(text, colors));
+}
+
+fn row(ui: &mut Ui, problem: &Diagnostic, requests: &mut Requests) {
+    let colors = Colors::of(ui.visuals());
+    let color = match problem.severity {
+        Severity::Error => colors.plot.wrong,
+        Severity::Warning => colors.plot.unreachable,
+        Severity::Info => colors.plot.quiet,
+    };
+    let width = ui.available_width();
+    let font = FontId::proportional(theme::TEXT);
+    let hint = problem.hint.as_ref().map(|hint| format!(" {hint}")).unwrap_or_default();
+    let text_width = width - PLACE - 18.0;
+    let text = format!("{}{hint}", problem.message);
+    let message = ui.painter().layout(text, font.clone(), colors.plot.text, text_width);
+    let (rect, response) = ui.allocate_exact_size(vec2(width, message.size().y + 9.0), Sense::click());
+    response.widget_info(|| {
+        egui::WidgetInfo::labeled(egui::Role::Button, true, format!("{}: {}", problem.at, problem.message))
+    });
+    if response.hovered() || response.has_focus() {
+        ui.painter().rect_filled(rect, 4.0, colors.hovered);
+    }
+    let line = rect.top() + 4.5 + FontId::proportional(theme::TEXT).size * 0.62;
+    ui.painter().circle_filled(egui::pos2(rect.left() + 9.0, line), 4.0, color);
+    let place = ui.painter_at(egui::Rect::from_x_y_ranges(rect.left() + 22.0..=rect.left() + PLACE, rect.y_range()));
+    place.text(
+        egui::pos2(rect.left() + 22.0, line),
+        Align2::LEFT_CENTER,
+        problem.at.to_string(),
+        font,
+        colors.plot.quiet,
+    );
+    ui.painter().galley(egui::pos2(rect.left() + PLACE + 12.0, rect.top() + 4.5), message, colors.plot.text);
+    ui.painter().hline(rect.x_range(), rect.bottom(), Stroke::new(1.0, colors.line.gamma_multiply(0.6)));
+    if response.on_hover_cursor(egui::CursorIcon::PointingHand).clicked() {
+        requests.actions.push(Action::GoTo(problem.at.clone()));
+    }
+}

@@ -1,0 +1,221 @@
+//! The lines of a program with their colours, the current block and the words found.
+
+use crate::app::theme::{self, Colors};
+use crate::post::orac::{self, Instruction, PAGE_START};
+use crate::proof::ProgramText;
+use crate::transfer::log::visible;
+use egui::text::{LayoutJob, TextFormat};
+use egui::{Align2, Color32, FontId, Rect, Sense, Ui, vec2};
+
+/// Height of a line, points.
+const LINE: f32 = 19.0;
+/// Width of the line numbers, points.
+const NUMBERS: f32 = 44.0;
+
+/// The lines of the program that is shown; made anew when the text changes.
+#[derive(Default)]
+pub(super) struct Lines {
+    made_for: Option<ProgramText>,
+    instructions: Vec<Instruction>,
+    all_readable: bool,
+    /// Every line of the text with the block that it belongs to.
+    text: Vec<(String, usize)>,
+}
+
+impl Lines {
+    /// Makes the lines of `program` if they are not made yet.
+    pub(super) fn follow(&mut self, program: &ProgramText) {
+        if self.made_for.as_ref() == Some(program) {
+            return;
+        }
+        let (instructions, complaints) = orac::compress(&program.text, &program.name);
+        self.instructions = instructions;
+        self.all_readable = complaints.is_empty();
+        let mut block = 0;
+        self.text.clear();
+        for line in program.text.split_inclusive('\n') {
+            block += line.chars().filter(|c| *c == PAGE_START).count();
+            self.text.push((line.bytes().map(visible).collect(), block));
+        }
+        self.made_for = Some(program.clone());
+    }
+
+    /// True if every page of the text is an instruction.
+    pub(super) const fn are_all_readable(&self) -> bool {
+        self.all_readable
+    }
+
+    /// Blocks of the program.
+    pub(super) fn blocks(&self) -> usize {
+        self.text.last().map_or(0, |(_, block)| *block)
+    }
+
+    /// The first block after `after` with `words` in it, from the front again at the end.
+    pub(super) fn find(&self, words: &str, after: usize) -> Option<usize> {
+        let words = words.trim().to_lowercase();
+        if words.is_empty() {
+            return None;
+        }
+        let in_text =
+            self.text.iter().filter(|(line, _)| line.to_lowercase().contains(&words)).map(|(_, block)| *block);
+        let summaries = (1..).zip(&self.instructions).filter(|(_, i)| i.summary().to_lowercase().contains(&words));
+        let mut found: Vec<usize> = in_text.chain(summaries.map(|(block, _)| block)).filter(|b| *b > 0).collect();
+        found.sort_unstable();
+        found.iter().find(|block| **block > after).or(found.first()).copied()
+    }
+
+    /// Shows the lines, scrolled to the block `reveal`; a block that was clicked.
+    pub(super) fn show(
+        &self,
+        ui: &mut Ui,
+        exact: bool,
+        current: Option<usize>,
+        reveal: Option<usize>,
+        search: &str,
+    ) -> Option<usize> {
+        let count = if exact { self.text.len() } else { self.instructions.len() };
+        let mut area = egui::ScrollArea::vertical().id_salt("program").auto_shrink([false, false]);
+        if let Some(line) = reveal.and_then(|block| self.line_of(block, exact)) {
+            area = area.vertical_scroll_offset((line as f32 * LINE - ui.available_height() / 2.0 + LINE).max(0.0));
+        }
+        ui.spacing_mut().item_spacing.y = 0.0;
+        let mut clicked = None;
+        area.show_rows(ui, LINE, count, |ui, rows| {
+            for index in rows {
+                let block = if exact { self.text.get(index).map_or(0, |(_, b)| *b) } else { index + 1 };
+                if self.line(ui, index, exact, current == Some(block) && block > 0, search) && block > 0 {
+                    clicked = Some(block);
+                }
+            }
+        });
+        clicked
+    }
+
+    fn line_of(&self, block: usize, exact: bool) -> Option<usize> {
+        if exact { self.text.iter().position(|(_, b)| *b == block) } else { block.checked_sub(1) }
+    }
+
+    fn line(&self, ui: &mut Ui, index: usize, exact: bool, current: bool, search: &str) -> bool {
+        let colors = Colors::of(ui.visuals());
+        let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::click());
+        let job = match (exact, self.instructions.get(index), self.text.get(index)) {
+            (false, Some(instruction), _) => instruction_job(instruction, colors),
+            (true, _, Some((line, _))) => text_job(line, colors),
+            _ => LayoutJob::default(),
+        };
+        response.widget_info(|| {
+            egui::WidgetInfo::labeled(
+                egui::Role::ListItem,
+                true,
+                format!("Line {}: {}", index + 1, job.text.trim_end()),
+            )
+        });
+        let found = !search.trim().is_empty() && job.text.to_lowercase().contains(&search.trim().to_lowercase());
+        if current {
+            ui.painter().rect_filled(rect, 2.0, colors.current);
+            let mark = Rect::from_min_size(rect.min, vec2(3.0, rect.height()));
+            ui.painter().rect_filled(mark, 0.0, colors.plot.unreachable);
+        } else if response.hovered() || found {
+            ui.painter().rect_filled(rect, 2.0, if found { colors.selected } else { colors.hovered });
+        }
+        let number = egui::pos2(rect.left() + NUMBERS - 12.0, rect.center().y);
+        let font = FontId::monospace(theme::CODE - 0.5);
+        ui.painter().text(number, Align2::RIGHT_CENTER, (index + 1).to_string(), font, colors.plot.construction);
+        let galley = ui.painter().layout_job(job);
+        let at = egui::pos2(rect.left() + NUMBERS, rect.center().y - galley.size().y / 2.0);
+        ui.painter_at(rect).galley(at, galley, colors.plot.text);
+        response.clicked()
+    }
+}
+
+fn append(job: &mut LayoutJob, text: &str, color: Color32) {
+    job.append(text, 0.0, TextFormat::simple(FontId::monospace(theme::CODE), color));
+}
+
+/// An instruction in columns: word, positions, feed, tool, speed.
+fn instruction_job(instruction: &Instruction, colors: &Colors) -> LayoutJob {
+    let mut job = LayoutJob::default();
+    let summary = instruction.summary();
+    let mut words = summary.split_whitespace();
+    append(&mut job, &format!("{:<6}", words.next().unwrap_or_default()), colors.plot.accent);
+    let mut words = words.peekable();
+    while let Some(word) = words.next() {
+        let color = word_color(word, colors);
+        let is_address = word.chars().all(char::is_alphabetic);
+        let figure = words.next_if(|next| is_address && next.starts_with(|c: char| c == '-' || c.is_ascii_digit()));
+        match figure {
+            Some(figure) => {
+                append(&mut job, &format!("{word} "), color);
+                let wide = figure.contains('.');
+                let figure = if wide { format!("{figure:>9}   ") } else { format!("{figure:>4}   ") };
+                append(&mut job, &figure, if wide { colors.plot.text } else { color });
+            }
+            None => append(&mut job, &format!("{word}   "), color),
+        }
+    }
+    job
+}
+
+fn word_color(word: &str, colors: &Colors) -> Color32 {
+    match word.chars().next() {
+        Some('F') => colors.good,
+        Some('T') => colors.word_tool,
+        Some('S') => colors.word_speed,
+        _ => colors.plot.text,
+    }
+}
+
+/// A line of a page: its word in colour, control characters quiet.
+fn text_job(line: &str, colors: &Colors) -> LayoutJob {
+    let mut job = LayoutJob::default();
+    let words = line.find(|c: char| c.is_ascii_alphanumeric()).unwrap_or(line.len());
+    let (before, rest) = line.split_at(words);
+    append(&mut job, before, colors.plot.construction);
+    let end = rest.find(['␍', '␊', '␄']).unwrap_or(rest.len());
+    let (content, after) = rest.split_at(end);
+    let color = match content.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default() {
+        "PAGE" => colors.plot.accent,
+        "FEEDRATE" => colors.good,
+        "TOOL" => colors.word_tool,
+        "SPINDLE" => colors.word_speed,
+        _ => colors.plot.text,
+    };
+    append(&mut job, content, color);
+    append(&mut job, after, colors.plot.construction);
+    job
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn lines() -> Lines {
+        let instructions =
+            [Instruction::Inc, Instruction::Ptp { x: -800, z: 0, feed: 80, tool: 1, rpm: 1262 }, Instruction::End];
+        let text = orac::pages_text(&instructions);
+        let mut lines = Lines::default();
+        lines.follow(&ProgramText { name: "QUEEN1".into(), text, edited: false });
+        lines
+    }
+
+    #[test]
+    fn pages_become_blocks_and_lines() {
+        let lines = lines();
+        assert!(lines.are_all_readable());
+        assert_eq!(lines.blocks(), 3);
+        assert_eq!(lines.line_of(2, false), Some(1));
+        assert_eq!(lines.line_of(2, true), Some(1));
+        assert!(lines.text[1].0.starts_with('␂'));
+    }
+
+    #[test]
+    fn a_search_goes_on_and_begins_again() {
+        let lines = lines();
+        assert_eq!(lines.find("page", 0), Some(1));
+        assert_eq!(lines.find("page", 1), Some(2));
+        assert_eq!(lines.find("page", 3), Some(1));
+        assert_eq!(lines.find("-0.800", 0), Some(2));
+        assert_eq!(lines.find("G99", 0), None);
+        assert_eq!(lines.find("  ", 0), None);
+    }
+}

@@ -1,0 +1,69 @@
+//! Pictures of the running window. `UPDATE_SCREENSHOTS=1 cargo test --test window_pictures` writes them to `screenshots/`.
+
+mod common;
+
+use common::Window;
+use egui_kittest::kittest::Queryable;
+use turnwright::app::Action;
+
+#[test]
+fn start_page() {
+    Window::open().screenshot("start-page");
+}
+
+#[test]
+fn queen_dragging() {
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    let node = window.harness.get_by_label_contains("Node z 36.000  ⌀ 17.500").rect().center();
+    window.harness.hover_at(node);
+    window.harness.drag_at(node);
+    for step in 1..=6u8 {
+        window.harness.hover_at(node - egui::vec2(0.0, 2.5) * f32::from(step));
+        window.harness.step();
+    }
+    window.until_current();
+    window.screenshot("queen-dragging");
+    assert!(window.session().part().sections[5].d1 > 18.0);
+    window.harness.drop_at(node - egui::vec2(0.0, 15.0));
+    window.harness.run_steps(2);
+    window.session().undo();
+    assert_eq!(window.session().part().sections[5].d1, 17.5, "a drag is one step of undo");
+}
+
+#[test]
+fn playback_half_way() {
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    let half = window.session().setup().unwrap().proof.times.total_s / 2.0;
+    window.desk().play_from(half);
+    window.harness.run_steps(4);
+    window.screenshot("playback-half-way");
+}
+
+#[test]
+fn failing_proof() {
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    common::change_one_z(&mut window);
+    window.click("Problems");
+    let problem = window.session().problems().first().cloned().unwrap();
+    let ctx = window.harness.ctx.clone();
+    window.desk().act(&ctx, Action::GoTo(problem.at));
+    window.harness.run_steps(2);
+    window.click("Problems");
+    window.click("Send to ORAC");
+    window.screenshot("failing-proof");
+}
+
+#[test]
+fn transfer_under_way() {
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    window.click("Send to ORAC");
+    window.until("a few pages are out", |desk| desk.transfer_progress().is_some_and(|p| p.block >= 9));
+    window.screenshot("transfer-under-way");
+    assert!(window.harness.query_by_label("Abort").is_some());
+    window.click("Abort");
+    window.until("aborted", |desk| desk.transfer_outcome().is_some());
+}
