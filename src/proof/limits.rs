@@ -117,7 +117,7 @@ fn check_taper(start: Point, end: Point, ratio_limit: f64, place: Place, finding
         );
         let breach = Breach::error("taper", FindingKind::OutsideLimits, ratio, ratio_limit, message);
         // A warning only: the published MASTER part cuts such a chord at the crown of its parabola.
-        findings.add(place, breach.as_warning().at(end));
+        findings.add(place, breach.into_warning().at(end));
     }
 }
 
