@@ -10,6 +10,8 @@ use std::collections::BTreeMap;
 
 /// Distance between the points of the contour where stock is measured, mm.
 const SAMPLE_MM: f64 = 0.2;
+/// Positions closer than this are the same, mm: the rounding of lengths converted from inches.
+const SAME_PLACE_MM: f64 = 1e-6;
 /// Points measured on one segment at most.
 const MOST_SAMPLES: u32 = 2_000;
 
@@ -56,7 +58,8 @@ impl Sum {
     }
 }
 
-/// Middles of equal parts of a segment, with the length that each stands for.
+/// Middles of equal parts of a segment, with the length that each stands for. A face just where this set-up's machining
+/// ends belongs to the other end of the part.
 fn samples(segment: &Segment, from_z: f64) -> impl Iterator<Item = (Point, f64)> {
     let length = segment.length();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 1..=MOST_SAMPLES")]
@@ -64,7 +67,7 @@ fn samples(segment: &Segment, from_z: f64) -> impl Iterator<Item = (Point, f64)>
     let middle = move |k: u32| segment.point_at((f64::from(k) + 0.5) / f64::from(count));
     (0..count)
         .map(middle)
-        .filter(move |p| p.z >= from_z)
+        .filter(move |p| p.z > from_z + SAME_PLACE_MM)
         .map(move |p| (p, length / f64::from(count)))
         .collect::<Vec<_>>()
         .into_iter()
