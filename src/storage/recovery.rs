@@ -15,6 +15,8 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 /// Longest recovery file that is read, bytes: a document and its first line.
 const MOST_BYTES: u64 = 33 << 20;
+/// Runs that may start within one millisecond.
+const MOST_PER_MS: u32 = 1000;
 const RECOVERY: &str = "recovery";
 const LOCK: &str = "lock";
 
@@ -62,9 +64,7 @@ impl RecoverySession {
             Diagnostic::error("recovery-folder", file_place(folder), message)
         };
         fs::create_dir_all(folder).map_err(failed)?;
-        /// Runs that may start within one millisecond.
-        const MOST: u32 = 1000;
-        for number in 0..MOST {
+        for number in 0..MOST_PER_MS {
             let name = format!("{}-{number}", unix_ms(now));
             let lock = File::options().write(true).create_new(true).open(folder.join(&name).with_extension(LOCK));
             match lock {

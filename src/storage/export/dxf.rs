@@ -14,7 +14,7 @@ const CENTRE_LINE: &str = "CENTRE_LINE";
 /// Length by which the centre line sticks out of the part, mm.
 const CENTRE_LINE_BEYOND_MM: f64 = 5.0;
 
-/// The upper half of the profile with its end faces on layer PROFILE and the centre line on layer CENTRE_LINE; x along
+/// The upper half of the profile with its end faces on layer `PROFILE` and the centre line on layer `CENTRE_LINE`; x along
 /// the spindle from the clamped end, y the radius, in `unit`. Arcs stay arcs.
 ///
 /// # Errors

@@ -82,7 +82,12 @@ fn edges(contour: &Contour) -> String {
         let turn = pair[0].direction_at(1.0).angle(&pair[1].direction_at(0.0));
         (turn > EDGE_RAD).then(|| pair[1].start())
     });
-    joints.filter(|p| p.r > 0.0).map(|p| format!("M{0} {1}V{2}", number(p.z), number(-p.r), number(p.r))).collect()
+    let mut path = String::new();
+    for p in joints.filter(|p| p.r > 0.0) {
+        // Writing to a String cannot fail.
+        let _ = write!(path, "M{} {}V{}", number(p.z), number(-p.r), number(p.r));
+    }
+    path
 }
 
 /// Up to four decimals (0.1 µm), none of them a trailing zero, and no negative zero.

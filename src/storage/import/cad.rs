@@ -40,31 +40,21 @@ pub fn cad(
     machine: &str,
 ) -> Result<(Document, Vec<Diagnostic>), Vec<Diagnostic>> {
     let mut diagnostics = Vec::new();
-    let head_and_rows = read_cad(&mut Words::new(file, &texts.cad), &mut diagnostics).map_err(|d| vec![d])?;
-    let (head, sections) = head_and_rows;
+    let (head, sections) = read_cad(&mut Words::new(file, &texts.cad), &mut diagnostics).map_err(|d| vec![d])?;
     let beside = |extension: &str| Path::new(file).with_extension(extension).display().to_string();
-    let (bar_diameter, length) = match &texts.siz {
-        Some(text) => read_siz(&mut Words::new(&beside("SIZ"), text)).map_err(|d| vec![d])?,
-        None => {
-            let (bar, length) = (largest_diameter(&sections), largest_position(&sections));
-            let unit = head.unit.symbol();
-            let message = format!(
-                "There is no .SIZ file with bar diameter and length; taken from the sections: {bar} {unit} and {length} {unit}."
-            );
-            diagnostics.push(
-                Diagnostic::warning("cad-no-siz", file_place(Path::new(file)), message)
-                    .with_hint("Enter the true bar diameter and length."),
-            );
-            (bar, length)
-        }
+    let (bar_diameter, length) = if let Some(text) = &texts.siz {
+        read_siz(&mut Words::new(&beside("SIZ"), text)).map_err(|d| vec![d])?
+    } else {
+        let (bar, length) = (largest_diameter(&sections), largest_position(&sections));
+        diagnostics.push(no_siz(file, bar, length, head.unit));
+        (bar, length)
     };
-    let ends = match &texts.end {
-        Some(text) => read_end(&mut Words::new(&beside("END"), text)).map_err(|d| vec![d])?,
-        None => {
-            let message = "There is no .END file with the number of ends machined; 1 is assumed.";
-            diagnostics.push(Diagnostic::warning("cad-no-end", file_place(Path::new(file)), message));
-            Ends::One
-        }
+    let ends = if let Some(text) = &texts.end {
+        read_end(&mut Words::new(&beside("END"), text)).map_err(|d| vec![d])?
+    } else {
+        let message = "There is no .END file with the number of ends machined; 1 is assumed.";
+        diagnostics.push(Diagnostic::warning("cad-no-end", file_place(Path::new(file)), message));
+        Ends::One
     };
     let document = Imported {
         name: name.to_owned(),
@@ -80,6 +70,15 @@ pub fn cad(
     }
     .document(file)?;
     Ok((document, diagnostics))
+}
+
+fn no_siz(file: &str, bar: f64, length: f64, unit: Unit) -> Diagnostic {
+    let unit = unit.symbol();
+    let message = format!(
+        "There is no .SIZ file with bar diameter and length; taken from the sections: {bar} {unit} and {length} {unit}."
+    );
+    Diagnostic::warning("cad-no-siz", file_place(Path::new(file)), message)
+        .with_hint("Enter the true bar diameter and length.")
 }
 
 struct Head {
@@ -198,7 +197,7 @@ fn read_end(words: &mut Words<'_>) -> Result<Ends, Diagnostic> {
 /// The words of a file in order.
 struct Words<'a> {
     file: &'a str,
-    words: std::vec::IntoIter<Word<'a>>,
+    rest: std::vec::IntoIter<Word<'a>>,
     lines: usize,
 }
 
@@ -219,11 +218,11 @@ impl<'a> Words<'a> {
                 words.push(Word { text: word, at: line_place(file, number, Some(column)) });
             }
         }
-        Self { file, words: words.into_iter(), lines: text.lines().count().max(1) }
+        Self { file, rest: words.into_iter(), lines: text.lines().count().max(1) }
     }
 
     fn next(&mut self, needed: &str) -> Result<Word<'a>, Diagnostic> {
-        self.words.next().ok_or_else(|| {
+        self.rest.next().ok_or_else(|| {
             let message = format!("The file ends where {needed} is needed.");
             Diagnostic::error("cad-truncated", line_place(self.file, self.lines, None), message)
         })

@@ -35,8 +35,7 @@ fn of_entity(entity: &Entity, scale: f64) -> Result<Vec<Segment>, String> {
         _ => return Err("is neither line, arc, circle nor light-weight polyline".to_owned()),
     };
     let segments: Vec<Segment> = segments.iter().map(|s| scaled(s, scale)).collect();
-    // NaN compares as false, so this finds it too.
-    match segments.iter().flat_map(coordinates).find(|value| !(value.abs() <= MOST)) {
+    match segments.iter().flat_map(coordinates).find(|value| value.is_nan() || value.abs() > MOST) {
         Some(value) => Err(format!("has the coordinate {value}, which is not a number up to {MOST}")),
         None => Ok(segments),
     }
