@@ -13,11 +13,6 @@ use crate::geometry::Point;
 /// A gouge up to this depth, mm, is not worth a word: chords and rounding explain it.
 const NOTED_GOUGE_MM: f64 = 0.002;
 
-/// Stock wiped off at rapid feed is only warned of up to this mean thickness, mm: less than one finishing cut.
-const WIPED_THICKNESS_MM: f64 = 0.05;
-/// And up to this area, mm²: a trace 2 mm long.
-const WIPED_AREA_MM2: f64 = 0.1;
-
 /// The stock being cut and what must come out of it.
 pub(super) struct Judge<'a> {
     work: &'a Work,
@@ -161,8 +156,6 @@ fn collisions(cut: &Cut, place: Place, findings: &mut Findings) {
     hit(cut.chuck, "chuck", FindingKind::ChuckCollision, "The tool runs into the chuck");
 }
 
-/// Stock that goes at rapid feed is an error, but for a thin trace such as a tool with a leaning edge wipes off a wall when it
-/// is drawn back: that is a warning.
 fn contact_findings(contact: Contact, played: &Played, place: Place, findings: &mut Findings) {
     let Contact { area_mm2, thickness_mm, at } = contact;
     if matches!(played.motion, Motion::Rapid | Motion::Pause) {
@@ -175,8 +168,7 @@ fn contact_findings(contact: Contact, played: &Played, place: Place, findings: &
             "The insert goes through {area_mm2:.3} mm² of stock, {thickness_mm:.3} mm thick, {how}; {CONTACT_AREA_MM2} mm² is the limit."
         );
         let breach = Breach::error("rapid", FindingKind::RapidContact, area_mm2, CONTACT_AREA_MM2, message).at(at);
-        let wipes = thickness_mm <= WIPED_THICKNESS_MM && area_mm2 <= WIPED_AREA_MM2;
-        findings.add(place, if wipes { breach.into_warning() } else { breach });
+        findings.add(place, breach);
     }
     if played.rpm <= 0.0 {
         let message = format!("The tool cuts {area_mm2:.3} mm² of stock with the spindle at rest (0 rev/min).");
