@@ -57,13 +57,12 @@ fn of_section(ui: &mut Ui, session: &mut Session, section: &Section, row: usize)
         let text = format!("z {}  r {}", fixed(z, unit.decimals()), fixed(r, unit.decimals()));
         fact(ui, "Centre", &text);
     }
-    ui.add_space(4.0);
-    remark(ui, &about(session, section, unit));
     for message in messages(session, section.id) {
-        ui.add_space(2.0);
         let colors = Colors::of(ui.visuals());
         ui.label(RichText::new(message).color(colors.plot.wrong));
     }
+    ui.add_space(4.0);
+    remark(ui, &about(session, section, unit));
 }
 
 fn kind(ui: &mut Ui, session: &mut Session, section: &Section, row: usize) {

@@ -77,7 +77,7 @@ impl Layout {
             Pane::ALL.map(|p| tiles.insert_pane(p));
         let text = tiles.insert_tab_tile(vec![program, problems, solid]);
         let middle = column(&mut tiles, &[(profile, 0.385), (cut, 0.375), (text, 0.24)]);
-        let right = column(&mut tiles, &[(inspector, 0.44), (transfer, 0.56)]);
+        let right = column(&mut tiles, &[(inspector, 0.49), (transfer, 0.51)]);
         let root = share(&mut tiles, LinearDir::Horizontal, &[(sections, 0.302), (middle, 0.503), (right, 0.195)]);
         Self { tree: Tree::new(Id::unique("desk-layout"), root, tiles) }
     }

@@ -36,9 +36,10 @@ pub(crate) fn show(
     let problems = session.problems();
     let count = |severity| problems.iter().filter(|d| d.severity == severity).count();
     let dragged = super::widgets::title_row(ui, titled.then_some("Problems"), "", |ui| {
-        toggle(ui, &mut view.remarks, &format!("{} remarks", count(Severity::Info)));
-        toggle(ui, &mut view.warnings, &format!("{} warnings", count(Severity::Warning)));
-        toggle(ui, &mut view.errors, &format!("{} errors", count(Severity::Error)));
+        let text = |n: usize, word: &str| format!("{n} {word}{}", if n == 1 { "" } else { "s" });
+        toggle(ui, &mut view.remarks, &text(count(Severity::Info), "remark"));
+        toggle(ui, &mut view.warnings, &text(count(Severity::Warning), "warning"));
+        toggle(ui, &mut view.errors, &text(count(Severity::Error), "error"));
     });
     if problems.is_empty() {
         clean(ui, session);

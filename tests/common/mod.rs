@@ -1,6 +1,6 @@
 //! Pictures of the window without a GPU: a rasteriser for egui's triangles, and a harness around the desk.
 
-#![allow(unreachable_pub, reason = "shared by several test programs")]
+#![allow(unreachable_pub, dead_code, reason = "shared by several test programs, each uses some of it")]
 #![allow(clippy::expect_used, reason = "a test fails by panicking")]
 
 pub mod raster;

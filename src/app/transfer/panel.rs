@@ -46,7 +46,7 @@ pub(crate) fn show(
 fn port(ui: &mut Ui, panel: &mut TransferPanel) {
     ui.horizontal(|ui| {
         form_label(ui, "Port", LABEL);
-        let mut all: Vec<(String, String)> = panel.ports.iter().map(|p| (p.name.clone(), p.label.clone())).collect();
+        let mut all: Vec<(String, String)> = panel.ports.iter().map(|p| (p.name.clone(), short(&p.label))).collect();
         let listed = all.iter().any(|(name, _)| *name == panel.port);
         let typed = if listed { String::new() } else { panel.port.clone() };
         all.push((typed, "another, by path…".to_owned()));
@@ -67,6 +67,11 @@ fn port(ui: &mut Ui, panel: &mut TransferPanel) {
             }
         });
     }
+}
+
+/// The label of a port without the remark in brackets, for which there is no room.
+fn short(label: &str) -> String {
+    label.split(" (").next().unwrap_or(label).to_owned()
 }
 
 fn progress(ui: &mut Ui, panel: &TransferPanel, session: &Session) {
