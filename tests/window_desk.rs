@@ -53,6 +53,19 @@ fn a_bad_cell_is_marked_and_changes_nothing() {
 }
 
 #[test]
+fn figures_typed_within_one_frame_are_all_taken() {
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    window.click("⌀ end of row 1: 25.400");
+    let key =
+        Event::Key { key: Key::Enter, physical_key: None, pressed: true, repeat: false, modifiers: Modifiers::NONE };
+    let typed = ["2", "4", ".", "5"].map(|figure| Event::Text(figure.to_owned()));
+    window.harness.input_mut().events.extend(typed.into_iter().chain([key]));
+    window.harness.run_steps(3);
+    assert_eq!(window.session().part().sections[0].d2, 24.5);
+}
+
+#[test]
 fn rows_are_pasted_from_a_spreadsheet() {
     let mut window = Window::open();
     window.open_example("QUEEN");

@@ -19,13 +19,13 @@ fn queen_dragging() {
     window.harness.hover_at(node);
     window.harness.drag_at(node);
     for step in 1..=6u8 {
-        window.harness.hover_at(node + egui::vec2(0.0, 0.8) * f32::from(step));
+        window.harness.hover_at(node + egui::vec2(0.0, 1.4) * f32::from(step));
         window.harness.step();
     }
     window.until_current();
     window.screenshot("queen-dragging");
     assert!(window.session().part().sections[5].d1 < 17.0);
-    window.harness.drop_at(node + egui::vec2(0.0, 4.8));
+    window.harness.drop_at(node + egui::vec2(0.0, 8.4));
     window.harness.run_steps(2);
     window.session().undo();
     assert_eq!(window.session().part().sections[5].d1, 17.5, "a drag is one step of undo");

@@ -109,9 +109,10 @@ impl Colors {
     }
 }
 
-/// Installs fonts and both themes.
+/// Installs fonts and both themes; light where the system does not say which it wants.
 pub fn install(ctx: &egui::Context) {
     ctx.set_fonts(fonts());
+    ctx.options_mut(|options| options.fallback_theme = Theme::Light);
     for theme in [Theme::Light, Theme::Dark] {
         ctx.style_mut_of(theme, |style| {
             dress(style, if theme == Theme::Dark { &Colors::DARK } else { &Colors::LIGHT });

@@ -17,6 +17,15 @@ pub(crate) fn handle(
 ) {
     for event in ui.input(|i| i.events.clone()) {
         match event {
+            // The cell was opened earlier in this frame: what follows in it belongs to the cell.
+            Event::Text(text) if view.editing.is_some() => {
+                view.editing.get_or_insert_default().push_str(&text);
+            }
+            Event::Key { key: Key::Enter | Key::Tab, pressed: true, modifiers, .. } if view.editing.is_some() => {
+                commit(view, session, columns);
+                step(view, session, if modifiers.shift { -1 } else { 1 }, 0, false);
+            }
+            _ if view.editing.is_some() => {}
             Event::Key { key, pressed: true, modifiers, .. } => {
                 key_press(view, session, columns, key, modifiers);
             }
