@@ -27,12 +27,12 @@ pub const fn examples() -> &'static [Example] {
         },
         Example {
             name: "KNOB",
-            description: "Ball handle knob with a hollow flange, parted off",
+            description: "Ball handle knob: a ball on a neck that hollows out to a flange",
             text: include_str!("../../assets/examples/knob.turn"),
         },
         Example {
             name: "STUD",
-            description: "Shouldered stud M12 × 1.75 in steel with run-out groove and chamfer, parted off",
+            description: "Shouldered stud M12 × 1.75 in steel with run-out groove and chamfer",
             text: include_str!("../../assets/examples/stud.turn"),
         },
         Example {

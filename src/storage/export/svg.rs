@@ -11,7 +11,7 @@ const CENTRE_LINE_BEYOND_MM: f64 = 5.0;
 /// Smallest change of direction that is drawn as an edge, radians (about 1 degree).
 const EDGE_RAD: f64 = 0.018;
 
-/// The full section, true to scale in mm: the outline with both halves, the edges, and the centre line. `name` is its
+/// The full section on white paper, true to scale in mm: the outline with both halves, the edges, and the centre line. `name` is its
 /// title. Arcs stay arcs. Without any segment the drawing is empty.
 #[must_use]
 pub fn svg(contour: &PartContour, name: &str) -> String {
@@ -24,6 +24,7 @@ pub fn svg(contour: &PartContour, name: &str) -> String {
         r##"<?xml version="1.0" encoding="UTF-8"?>
 <svg xmlns="http://www.w3.org/2000/svg" width="{w}mm" height="{h}mm" viewBox="{l} {t} {w} {h}">
 <title>{title}</title>
+<rect x="{l}" y="{t}" width="{w}" height="{h}" fill="#ffffff"/>
 <g fill="none" stroke="#1f2933" stroke-linecap="round" stroke-linejoin="round">
 <path id="outline" d="{outline}" fill="#dce6f1" stroke-width="0.5"/>
 <path id="edges" d="{edges}" stroke-width="0.25"/>
