@@ -124,7 +124,7 @@ impl Form {
 fn apart(bounds: Bounds, p: Point) -> f64 {
     let dz = (bounds.min.z - p.z).max(p.z - bounds.max.z).max(0.0);
     let dr = (bounds.min.r - p.r).max(p.r - bounds.max.r).max(0.0);
-    dz.hypot(dr)
+    (dz * dz + dr * dr).sqrt()
 }
 
 /// Distance from a point to a line or arc, mm.

@@ -1,7 +1,7 @@
 //! What is left on the finished contour after the last program.
 
 use super::cut::Region;
-use super::cut::grid::{contains, edges, from_grid, to_grid};
+use super::cut::grid::{GridPoint, above_odd, edges, from_grid, to_grid};
 use super::form::distance_to_line;
 use super::input::Work;
 use super::report::Leftover;
@@ -17,7 +17,7 @@ const MOST_SAMPLES: u32 = 2_000;
 
 /// Measures the stock on every machined section, in order of the contour.
 pub(super) fn measure(work: &Work, stock: &Region) -> Vec<Leftover> {
-    let border = border(stock);
+    let border = Border::of(stock);
     let mut sums: BTreeMap<usize, Sum> = BTreeMap::new();
     let mut order: Vec<u32> = Vec::new();
     for (segment, &section) in work.target.contour.segments.iter().zip(&work.target.sections) {
@@ -26,7 +26,7 @@ pub(super) fn measure(work: &Work, stock: &Region) -> Vec<Leftover> {
             if index == order.len() {
                 order.push(section);
             }
-            sums.entry(index).or_default().add(p, weight, left_at(p, stock, &border));
+            sums.entry(index).or_default().add(p, weight, border.thickness_at(p));
         }
     }
     let report = |(&section, sum): (&u32, &Sum)| Leftover {
@@ -73,23 +73,62 @@ fn samples(segment: &Segment, from_z: f64) -> impl Iterator<Item = (Point, f64)>
         .into_iter()
 }
 
-/// The surface of the stock: its edges but those on the axis.
-fn border(stock: &Region) -> Vec<(Point, Point)> {
-    let all = stock.rings().iter().flat_map(|ring| edges(ring));
-    all.map(|(a, b)| (from_grid(a), from_grid(b))).filter(|(a, b)| a.r.max(b.r) > 0.0).collect()
+/// The edges of the stock, sorted into strips of equal width along z, so that a point needs to look at a few of them only.
+struct Border {
+    /// Position of the first strip on the grid.
+    first: i32,
+    strips: Vec<Vec<(GridPoint, GridPoint)>>,
 }
 
-/// Thickness of the stock on the contour at a point of it: the way to the nearest surface, mm; 0 if the point is free.
-fn left_at(p: Point, stock: &Region, border: &[(Point, Point)]) -> f64 {
-    if !contains(stock.rings(), to_grid(p)) {
-        return 0.0;
-    }
-    let mut nearest = f64::INFINITY;
-    for &(a, b) in border {
-        let dz = (a.z.min(b.z) - p.z).max(p.z - a.z.max(b.z));
-        if dz < nearest {
-            nearest = nearest.min(distance_to_line(a, b, p));
+impl Border {
+    /// Width of a strip on the grid: 0.5 mm.
+    const WIDTH: i32 = 50_000;
+    /// Strips at most; a longer stock has longer last strips.
+    const MOST: usize = 10_000;
+
+    fn of(stock: &Region) -> Self {
+        let all = || stock.rings().iter().flat_map(|ring| edges(ring));
+        let first = all().map(|(a, _)| a.x).min().unwrap_or(0);
+        let mut border = Self { first, strips: Vec::new() };
+        for (a, b) in all() {
+            let (from, to) = (border.strip(a.x.min(b.x)), border.strip(a.x.max(b.x)));
+            if border.strips.len() <= to {
+                border.strips.resize_with(to + 1, Vec::new);
+            }
+            border.strips[from..=to].iter_mut().for_each(|strip| strip.push((a, b)));
         }
+        border
     }
-    if nearest.is_finite() { nearest } else { 0.0 }
+
+    /// The strip that a position belongs to; positions before the first belong to the first.
+    fn strip(&self, x: i32) -> usize {
+        let steps = x.saturating_sub(self.first) / Self::WIDTH;
+        usize::try_from(steps).unwrap_or(0).min(Self::MOST - 1)
+    }
+
+    /// Thickness of the stock on the contour at a point of it: the way to the nearest surface, mm; 0 if the point is free.
+    fn thickness_at(&self, p: Point) -> f64 {
+        let middle = self.strip(to_grid(p).x);
+        let here = self.strips.get(middle).map_or(&[][..], Vec::as_slice);
+        if !above_odd(here.iter().copied(), to_grid(p)) {
+            return 0.0;
+        }
+        let width = from_grid(GridPoint::new(Self::WIDTH, 0)).z;
+        let mut nearest = f64::INFINITY;
+        for away in 0..self.strips.len() {
+            if away > 0 && (away as f64 - 1.0) * width >= nearest {
+                break;
+            }
+            let sides = [middle.checked_sub(away), middle.checked_add(away).filter(|_| away > 0)];
+            for strip in sides.into_iter().flatten().filter_map(|k| self.strips.get(k)) {
+                // The edges on the axis are no surface.
+                for (a, b) in
+                    strip.iter().map(|&(a, b)| (from_grid(a), from_grid(b))).filter(|(a, b)| a.r.max(b.r) > 0.0)
+                {
+                    nearest = nearest.min(distance_to_line(a, b, p));
+                }
+            }
+        }
+        if nearest.is_finite() { nearest } else { 0.0 }
+    }
 }

@@ -116,7 +116,7 @@ fn check_taper(start: Point, end: Point, ratio_limit: f64, place: Place, finding
             "The taper moves {dr:.3} mm in x and {dz:.3} mm in z, {ratio:.1} to 1; the control takes less than {ratio_limit:.0} to 1."
         );
         let breach = Breach::error("taper", FindingKind::OutsideLimits, ratio, ratio_limit, message);
-        // A warning only: the published MASTER part cuts such a chord at the crown of its parabola.
+        // A warning only: of the ten chords that the published MASTER part asks for, the one at the crown is 23.7 to 1.
         findings.add(place, breach.into_warning().at(end));
     }
 }

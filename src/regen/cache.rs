@@ -27,6 +27,12 @@ pub struct Cache {
 pub(super) struct SetupCache {
     pub(super) contour: Stage<Profile, PartContour>,
     pub(super) unreachable: Stage<(Arc<Setup>, Arc<Tools>), Vec<UnreachableArea>>,
+    pub(super) program: ProgramCache,
+}
+
+/// The stages from a clamping to its proved programs.
+#[derive(Debug, Default)]
+pub(super) struct ProgramCache {
     pub(super) path: Stage<(Arc<Setup>, TurnedPart, Arc<Machine>, Material), (Arc<CutterPath>, Vec<Diagnostic>)>,
     pub(super) post: Stage<(String, Arc<CutterPath>, orac::Options, Arc<Machine>), PostOutput>,
     pub(super) proof: Stage<ProofInput, ProofReport>,
@@ -61,9 +67,9 @@ impl Cache {
             setups: self.setups.runs(),
             contour: sum(|s| s.contour.runs()),
             unreachable: sum(|s| s.unreachable.runs()),
-            path: sum(|s| s.path.runs()),
-            post: sum(|s| s.post.runs()),
-            proof: sum(|s| s.proof.runs()),
+            path: sum(|s| s.program.path.runs()),
+            post: sum(|s| s.program.post.runs()),
+            proof: sum(|s| s.program.proof.runs()),
         }
     }
 }

@@ -15,7 +15,7 @@ use crate::post::{PostOutput, orac};
 use crate::proof::{self, MayCut, ProgramText, ProofInput, ProofReport, Target, Work};
 use crate::turning::{self, CutterPath};
 pub use cache::{Cache, StageRuns};
-use cache::{SetupCache, Tools};
+use cache::{ProgramCache, SetupCache, Tools};
 pub use stage::Stage;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -133,47 +133,63 @@ fn regenerate_setup(
 ) -> Result<SetupDerived, Cancelled> {
     let name = format!("{}{}", context.name, setup.suffix);
     let contour = stages.contour.get(setup.profile.clone(), |p| part::contour(p, CONTOUR_TOLERANCE_MM));
-    let unreachable = stages.unreachable.get((Arc::clone(setup), Arc::clone(&context.tools)), |(setup, tools)| {
-        part::unreachable(setup, tools, &context.machine)
-    });
-    let path_input = (
-        Arc::clone(setup),
-        without_proof_settings(&context.part_mm),
-        Arc::clone(&context.machine),
-        context.material.clone(),
+    let reach = &mut stages.unreachable;
+    let program = &mut stages.program;
+    // Side by side, for neither needs the other and a drag waits for both.
+    let (unreachable, proved) = rayon::join(
+        || {
+            reach.get((Arc::clone(setup), Arc::clone(&context.tools)), |(setup, tools)| {
+                part::unreachable(setup, tools, &context.machine)
+            })
+        },
+        || prove_setup(context, &name, setup, &contour, program, cancel),
     );
-    let path = stages.path.get(path_input, |(setup, part, machine, material)| {
+    let Proved { path, said, post, programs, proof } = proved?;
+    add_new(diagnostics, &said);
+    add_new(diagnostics, &post.diagnostics);
+    let (setup, tools) = (Arc::clone(setup), Arc::clone(&context.tools));
+    Ok(SetupDerived { name, setup, contour, unreachable, path, post, programs, proof, tools })
+}
+
+/// What becomes of one clamping between its geometry and its proof.
+struct Proved {
+    path: Arc<CutterPath>,
+    /// What the generator has to say.
+    said: Vec<Diagnostic>,
+    post: Arc<PostOutput>,
+    programs: Arc<Vec<ProgramText>>,
+    proof: Arc<ProofReport>,
+}
+
+fn prove_setup(
+    context: &Context,
+    name: &str,
+    setup: &Arc<Setup>,
+    contour: &PartContour,
+    stages: &mut ProgramCache,
+    cancel: &Cancel,
+) -> Result<Proved, Cancelled> {
+    let Context { part_mm, machine, tools, material, .. } = context;
+    let path_input = (Arc::clone(setup), without_proof_settings(part_mm), Arc::clone(machine), material.clone());
+    let generated = stages.path.get(path_input, |(setup, part, machine, material)| {
         let (path, diagnostics) = turning::published::generate(setup, part, machine, material);
         (Arc::new(path), diagnostics)
     });
-    add_new(diagnostics, &path.1);
+    let (path, said) = (Arc::clone(&generated.0), generated.1.clone());
     cancel.check()?;
-    let Generator::Oracap { optimize, .. } = context.part_mm.generator;
-    let options = orac::Options { optimize, automatic: context.part_mm.automatic };
-    let post = stages.post.get(
-        (name.clone(), Arc::clone(&path.0), options, Arc::clone(&context.machine)),
-        |(name, path, options, machine)| orac::post(name, path, options, machine),
-    );
-    add_new(diagnostics, &post.diagnostics);
-    let programs = Arc::new(with_overrides(&post, &context.part_mm));
+    let Generator::Oracap { optimize, .. } = part_mm.generator;
+    let options = orac::Options { optimize, automatic: part_mm.automatic };
+    let post_input = (name.to_owned(), Arc::clone(&path), options, Arc::clone(machine));
+    let post = stages.post.get(post_input, |(name, path, options, machine)| orac::post(name, path, options, machine));
+    let programs = Arc::new(with_overrides(&post, part_mm));
     let input = ProofInput {
-        machine: Arc::clone(&context.machine),
-        tools: Arc::clone(&context.tools),
+        machine: Arc::clone(machine),
+        tools: Arc::clone(tools),
         programs: Arc::clone(&programs),
-        work: Some(work_of(setup, &contour, &path.0, context.part_mm.form_tolerance)),
+        work: Some(work_of(setup, contour, &path, part_mm.form_tolerance)),
     };
     let proof = stages.proof.try_get(input, |input| proof::prove(input, cancel))?;
-    Ok(SetupDerived {
-        name,
-        setup: Arc::clone(setup),
-        contour,
-        unreachable,
-        path: Arc::clone(&path.0),
-        post,
-        programs,
-        proof,
-        tools: Arc::clone(&context.tools),
-    })
+    Ok(Proved { path, said, post, programs, proof })
 }
 
 /// The part without the texts edited by hand, which neither checks nor generator look at.

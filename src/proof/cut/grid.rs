@@ -165,9 +165,14 @@ fn inner_point(hull: &[GridPoint]) -> GridPoint {
 }
 
 /// True if the point lies in the material (an odd number of ring edges lies above it).
-pub(in crate::proof) fn contains(rings: &[Ring], p: GridPoint) -> bool {
+pub(super) fn contains(rings: &[Ring], p: GridPoint) -> bool {
+    above_odd(rings.iter().flat_map(|ring| edges(ring)), p)
+}
+
+/// True if an odd number of edges lies above the point.
+pub(in crate::proof) fn above_odd(edges: impl Iterator<Item = (GridPoint, GridPoint)>, p: GridPoint) -> bool {
     let above = |&(a, b): &(GridPoint, GridPoint)| (a.x <= p.x) != (b.x <= p.x) && (turn(a, b, p) < 0) == (a.x < b.x);
-    rings.iter().flat_map(|ring| edges(ring)).filter(above).count() % 2 == 1
+    edges.filter(above).count() % 2 == 1
 }
 
 #[cfg(test)]
