@@ -1,5 +1,7 @@
 //! The window: what a person does on it, and what becomes of the document.
 
+#![cfg(feature = "gui")]
+
 mod common;
 
 use common::Window;

@@ -1,5 +1,7 @@
 //! Pictures of the running window. `UPDATE_SCREENSHOTS=1 cargo test --test window_pictures` writes them to `screenshots/`.
 
+#![cfg(feature = "gui")]
+
 mod common;
 
 use common::Window;

@@ -14,11 +14,20 @@ use std::sync::Arc;
 
 pub(super) type Tools = BTreeMap<u32, ToolOutline>;
 
+/// An output with what there is to say about it.
+type Said<T> = (T, Vec<Diagnostic>);
+
+/// What set-ups are made from.
+type SetupsInput = (TurnedPart, Arc<Machine>);
+
+/// What the generator works from.
+type PathInput = (Arc<Setup>, TurnedPart, Arc<Machine>, Material);
+
 /// What the last regeneration left behind; one a document.
 #[derive(Debug, Default)]
 pub struct Cache {
     pub(super) checks: Stage<(TurnedPart, Unit, Arc<Machine>), Vec<Diagnostic>>,
-    pub(super) setups: Stage<(TurnedPart, Arc<Machine>), (Vec<Arc<Setup>>, Vec<Diagnostic>)>,
+    pub(super) setups: Stage<SetupsInput, Said<Vec<Arc<Setup>>>>,
     pub(super) of_setup: Vec<SetupCache>,
 }
 
@@ -33,7 +42,7 @@ pub(super) struct SetupCache {
 /// The stages from a clamping to its proved programs.
 #[derive(Debug, Default)]
 pub(super) struct ProgramCache {
-    pub(super) path: Stage<(Arc<Setup>, TurnedPart, Arc<Machine>, Material), (Arc<CutterPath>, Vec<Diagnostic>)>,
+    pub(super) path: Stage<PathInput, Said<Arc<CutterPath>>>,
     pub(super) post: Stage<(String, Arc<CutterPath>, orac::Options, Arc<Machine>), PostOutput>,
     pub(super) proof: Stage<ProofInput, ProofReport>,
 }
