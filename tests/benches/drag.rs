@@ -3,6 +3,8 @@
 //! `drag/QUEEN` moves the diameter of one node of the chess queen to and fro and makes everything anew: contour, paths, program
 //! and proof. The cases `stage/...` measure its parts on the same part.
 
+#![allow(clippy::expect_used, reason = "a benchmark may stop at once when its data is not there")]
+
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use std::sync::Arc;
