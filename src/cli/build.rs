@@ -29,7 +29,7 @@ pub(crate) struct Build {
 pub(super) fn run(args: &Build) -> Outcome {
     let catalog = catalog();
     let document = open(&args.file, args.machine.as_deref(), &catalog)?;
-    let derived = derive(document, &catalog)?;
+    let derived = derive(&document, &catalog)?;
     let files = output::files(&derived);
     write_all(&args.out, &files)?;
     complain(&derived.diagnostics);
@@ -55,11 +55,11 @@ pub(super) fn open(file: &Path, machine_id: Option<&str>, catalog: &Catalog) -> 
 }
 
 /// Regenerates a document once; without a machine nothing can be made of it.
-pub(super) fn derive(document: Arc<Document>, catalog: &Catalog) -> Result<Derived, Vec<Diagnostic>> {
+pub(super) fn derive(document: &Arc<Document>, catalog: &Catalog) -> Result<Derived, Vec<Diagnostic>> {
     let bar = ProgressBar::new_spinner().with_style(ProgressStyle::default_spinner());
     bar.set_message(format!("{}: paths, programs and proof", document.name));
     bar.enable_steady_tick(std::time::Duration::from_millis(100));
-    let derived = regen::regenerate(&document, catalog, &mut Cache::default(), &Cancel::default());
+    let derived = regen::regenerate(document, catalog, &mut Cache::default(), &Cancel::default());
     bar.finish_and_clear();
     match derived {
         Ok(derived) if derived.machine.is_some() => Ok(derived),

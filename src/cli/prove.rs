@@ -90,7 +90,7 @@ pub(super) fn read_program(path: &Path) -> Result<ProgramText, Diagnostic> {
 }
 
 fn derive_part(file: &Path, machine: &Machine, catalog: &Catalog) -> Result<Derived, Vec<Diagnostic>> {
-    build::derive(build::open(file, Some(&machine.id), catalog)?, catalog)
+    build::derive(&build::open(file, Some(&machine.id), catalog)?, catalog)
 }
 
 /// The clamping whose program names fit the given ones; the first clamping if none does.
@@ -135,7 +135,9 @@ fn print_text(args: &Prove, input: &ProofInput, report: &ProofReport, difference
     for finding in &report.findings {
         say(&format!("{} block {}: {}: {}", finding.program, finding.block, finding.severity, finding.message));
     }
-    differences.iter().for_each(|difference| say(&sentence(difference)));
+    for difference in differences {
+        say(&sentence(difference));
+    }
     let times = report.times;
     say(&format!(
         "{}: {:.1} min (feed {:.1}, rapid {:.1}, dwell {:.1}, tool changes {:.1}), deepest gouge {:.3} mm",

@@ -108,9 +108,10 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Position for people: program z and diameter.
+    /// Position for people: z of the part as in the plots, z as the program counts it, and diameter.
     fn shown(&self, p: Point) -> String {
-        format!("z {:.3}, ⌀ {:.3}", p.z - self.work.program_zero_z, 2.0 * p.r)
+        let Point { z, r } = p;
+        format!("z {z:.3} (program z {:.3}), ⌀ {:.3}", z - self.work.program_zero_z, 2.0 * r)
     }
 
     /// Notes the deepest of the slight gouges of a program that has ended.

@@ -5,6 +5,7 @@ use crate::app::plots::lines::{DASHED, dashed, faded, thinned};
 use crate::app::plots::palette::{LeftoverClass, Palette};
 use crate::app::plots::profile::draw::{EDGE, centre_line, chuck, on_screen, with_ends_on_axis};
 use crate::app::plots::regions::Triangles;
+use crate::diagnostic::Severity;
 use crate::proof::{Finding, FindingKind};
 use egui::{Align2, FontId, Painter, Pos2, Shape, Stroke, Vec2};
 
@@ -134,8 +135,10 @@ fn shown_findings<'a>(frame: &'a Frame<'_>) -> impl Iterator<Item = (Pos2, &'a F
 
 fn findings(painter: &Painter, frame: &Frame<'_>) {
     let palette: &Palette = frame.scene.palette;
-    for (pos, _) in shown_findings(frame).filter(|(pos, _)| painter.clip_rect().expand(FINDING).contains(*pos)) {
-        painter.circle(pos, FINDING, faded(palette.wrong, 0.15), Stroke::new(1.6, palette.wrong));
+    for (pos, finding) in shown_findings(frame).filter(|(pos, _)| painter.clip_rect().expand(FINDING).contains(*pos)) {
+        // What is within the tolerance is marked, but not as wrong.
+        let color = if finding.severity == Severity::Info { palette.quiet } else { palette.wrong };
+        painter.circle(pos, FINDING, faded(color, 0.15), Stroke::new(1.6, color));
     }
 }
 
