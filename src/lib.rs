@@ -7,7 +7,7 @@
 //! | module | duty |
 //! |---|---|
 //! | `app` | the window; the only place that knows egui (feature `gui`) |
-//! | `cli` | the headless commands |
+//! | `cli` | the headless commands (in the binary) |
 //! | [`session`], [`worker`] | document, undo history, newest `Derived`; the thread that makes it |
 //! | [`storage`] | documents, recovery, imports, exports |
 //! | [`transfer`] | links, protocols and the virtual lathe |

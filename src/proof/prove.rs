@@ -78,6 +78,11 @@ fn sets_datum_first(listing: &Listing) -> bool {
     first.is_none_or(|op| op == Op::Datum)
 }
 
+/// A length as it is printed with three decimals, mm; never −0.
+fn shown(mm: f64) -> f64 {
+    (mm * 1000.0).round() / 1000.0 + 0.0
+}
+
 fn check_closed(control: &Control, place: Place, next_sets_datum: bool, findings: &mut Findings) {
     let (Some(datum), Some(position)) = (control.datum, control.position) else { return };
     let miss = position - datum;
@@ -88,7 +93,8 @@ fn check_closed(control: &Control, place: Place, next_sets_datum: bool, findings
     let follows = if next_sets_datum { "" } else { " The next program starts there without a datum of its own." };
     let message = format!(
         "The program does not end at its datum: it misses it by {:.3} mm in x and {:.3} mm in z; {CLOSING_TOLERANCE_MM} mm is allowed.{follows}",
-        miss.y, miss.x
+        shown(miss.y),
+        shown(miss.x)
     );
     let breach =
         Breach::error("not closed", FindingKind::NotClosed, largest, CLOSING_TOLERANCE_MM, message).at(position);
