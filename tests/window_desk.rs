@@ -7,7 +7,7 @@ mod common;
 use common::Window;
 use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable;
-use turnwright::app::{Action, Pane};
+use turnwright::app::{Action, Pane, Surroundings};
 use turnwright::diagnostic::Severity;
 use turnwright::session::Verdict;
 use turnwright::transfer::Outcome;
@@ -205,4 +205,24 @@ fn the_dark_window_is_drawn_too() {
     let mut window = Window::with_theme(egui::Theme::Dark);
     window.open_example("MASTER");
     assert!(window.picture().colors() > 8);
+}
+
+/// A window that goes without being closed, as in a crash: the edit is in the recovery file, and the next start offers it.
+#[test]
+fn an_edit_that_was_never_saved_survives_a_crash() {
+    let folder = tempfile::tempdir().unwrap();
+    let surroundings = Surroundings { recovery_folder: Some(folder.path().to_owned()), ..Surroundings::default() };
+    let mut window = Window::with(egui::Theme::Light, surroundings.clone());
+    window.open_example("QUEEN");
+    window.session().edit_part("shorten the crown", None, |part| part.sections[11].d2 = 2.5);
+    let is_file = |entry: std::io::Result<std::fs::DirEntry>| {
+        entry.is_ok_and(|e| std::fs::read_to_string(e.path()).is_ok_and(|text| text.contains("QUEEN")))
+    };
+    window.until("the recovery file is written", |_| std::fs::read_dir(folder.path()).unwrap().any(is_file));
+    drop(window);
+    let mut next = Window::with(egui::Theme::Light, surroundings);
+    next.click("Open QUEEN as it was");
+    next.until_current();
+    assert_eq!(next.session().part().sections[11].d2, 2.5);
+    assert!(next.session().has_unsaved_work());
 }

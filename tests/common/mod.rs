@@ -11,7 +11,7 @@ use raster::{Picture, Raster, Textures};
 use std::cell::RefCell;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
-use turnwright::app::Desk;
+use turnwright::app::{Desk, Surroundings};
 use turnwright::session::Session;
 
 /// The window under test and what is needed to draw it.
@@ -27,6 +27,10 @@ impl Window {
     }
 
     pub fn with_theme(theme: egui::Theme) -> Self {
+        Self::with(theme, Surroundings::default())
+    }
+
+    pub fn with(theme: egui::Theme, surroundings: Surroundings) -> Self {
         let textures = Rc::new(RefCell::new(Textures::default()));
         let mut harness = Harness::builder()
             .with_size([1440.0, 900.0])
@@ -36,12 +40,13 @@ impl Window {
             .with_context_setup(turnwright::app::install_theme)
             .renderer(Raster(Rc::clone(&textures)))
             .build_ui_state(
-                |ui, desk: &mut Option<Desk>| {
+                move |ui, desk: &mut Option<Desk>| {
                     let ctx = ui.ctx().clone();
                     let whole_window = egui::UiBuilder::new().max_rect(ctx.content_rect());
+                    let new_desk = || Desk::new(&ctx, surroundings.clone());
                     ui.scope_builder(whole_window, |ui| {
                         ui.set_clip_rect(ctx.content_rect());
-                        desk.get_or_insert_with(|| Desk::new(&ctx, turnwright::app::Surroundings::default())).ui(ui);
+                        desk.get_or_insert_with(new_desk).ui(ui);
                     });
                 },
                 None,
