@@ -63,6 +63,21 @@ pub enum SectionKind {
     },
 }
 
+impl SectionKind {
+    /// Name of the section type, in tables and on screen.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Line => "line",
+            Self::Concave { .. } => "concave",
+            Self::Convex { .. } => "convex",
+            Self::Thread { .. } => "thread",
+            Self::ParabolaAlongZ { .. } => "parabola along z",
+            Self::ParabolaAlongX { .. } => "parabola along x",
+        }
+    }
+}
+
 impl Section {
     /// A straight section.
     #[must_use]

@@ -10,4 +10,4 @@ pub use any::any;
 pub use cad::cad;
 pub use dxf::dxf;
 pub use svg::svg;
-pub use table::{COLUMNS, csv, tsv, type_name};
+pub use table::{COLUMNS, csv, tsv};

@@ -6,19 +6,6 @@ use crate::units::Unit;
 /// Columns of the written section table, in order.
 pub const COLUMNS: [&str; 10] = ["type", "z1", "d1", "z2", "d2", "radius", "pitch", "z3", "d3", "chords"];
 
-/// Name of a section type in the written section table.
-#[must_use]
-pub const fn type_name(kind: &SectionKind) -> &'static str {
-    match kind {
-        SectionKind::Line => "line",
-        SectionKind::Concave { .. } => "concave",
-        SectionKind::Convex { .. } => "convex",
-        SectionKind::Thread { .. } => "thread",
-        SectionKind::ParabolaAlongZ { .. } => "parabola along z",
-        SectionKind::ParabolaAlongX { .. } => "parabola along x",
-    }
-}
-
 /// The rows for a spreadsheet: column names, then a row a line, cells apart by tabs, numbers exact.
 #[must_use]
 pub fn tsv(sections: &[Section]) -> String {
@@ -49,7 +36,7 @@ fn cells(section: &Section) -> [String; 10] {
     }
     let written = |value: Option<f64>| value.map(|v| v.to_string()).unwrap_or_default();
     [
-        type_name(&section.kind).to_owned(),
+        section.kind.name().to_owned(),
         section.z1.to_string(),
         section.d1.to_string(),
         section.z2.to_string(),

@@ -2,7 +2,7 @@
 
 use crate::diagnostic::Diagnostic;
 use crate::part::{Section, SectionKind};
-use crate::storage::export::{COLUMNS, type_name};
+use crate::storage::export::COLUMNS;
 use crate::textfile::line_place;
 use crate::units::{Unit, parse_length};
 
@@ -58,7 +58,7 @@ impl Row<'_> {
 
     fn kind(&mut self) -> Option<SectionKind> {
         let cell = self.cell(0).to_lowercase();
-        let is = |kind: &SectionKind| type_name(kind) == cell;
+        let is = |kind: &SectionKind| kind.name() == cell;
         let (radius, pitch, z3, d3, chords) = (0.0, 0.0, 0.0, 0.0, 0);
         let kinds = [
             SectionKind::Line,
@@ -68,7 +68,7 @@ impl Row<'_> {
             SectionKind::ParabolaAlongZ { z3, d3, chords },
             SectionKind::ParabolaAlongX { z3, d3, chords },
         ];
-        let names: Vec<&str> = kinds.iter().map(type_name).collect();
+        let names: Vec<&str> = kinds.iter().map(SectionKind::name).collect();
         let Some(kind) = kinds.iter().find(|k| is(k)) else {
             self.refuse(0, &format!("it must be one of {}", names.join(", ")));
             return None;

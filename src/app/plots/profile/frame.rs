@@ -5,7 +5,7 @@ use crate::app::plots::canvas::{Screen, grid_step};
 use crate::app::plots::coordinates::Coordinates;
 use crate::app::plots::lines::distance_to_polyline;
 use crate::geometry::{Point, Segment};
-use crate::part::{Section, SectionKind};
+use crate::part::Section;
 use egui::{Id, Pos2, Rect};
 
 /// The pointer is on a line within this distance, points.
@@ -35,7 +35,7 @@ impl Frame<'_> {
     pub(super) fn section_name(&self, id: u32) -> String {
         let row = self.scene.part.sections.iter().position(|s| s.id == id);
         row.and_then(|k| self.scene.part.sections.get(k).map(|s| (k + 1, s)))
-            .map_or_else(String::new, |(row, s)| format!("{} {row}", kind_name(&s.kind)))
+            .map_or_else(String::new, |(row, s)| format!("{} {row}", s.kind.name()))
     }
 
     /// True if the row is selected or under the pointer.
@@ -93,17 +93,5 @@ impl Frame<'_> {
         let start = self.screen.pos(segment.start());
         let rest = segment.polyline_points(self.screen.tolerance());
         std::iter::once(start).chain(rest.into_iter().map(|p| self.screen.pos(p))).collect()
-    }
-}
-
-/// A section type in a word or two.
-const fn kind_name(kind: &SectionKind) -> &'static str {
-    match kind {
-        SectionKind::Line => "line",
-        SectionKind::Concave { .. } => "concave",
-        SectionKind::Convex { .. } => "convex",
-        SectionKind::Thread { .. } => "thread",
-        SectionKind::ParabolaAlongZ { .. } => "parabola along z",
-        SectionKind::ParabolaAlongX { .. } => "parabola along x",
     }
 }
