@@ -3,6 +3,7 @@
 use super::desk::Requests;
 use super::plots::fixed;
 use super::sections::cells;
+use super::sections::tsv::COLUMNS;
 use super::theme::{self, Colors};
 use super::widgets::{choice, field, form_label, remark, title_row};
 use crate::diagnostic::{Column, Place};
@@ -39,18 +40,7 @@ fn capital(text: &str) -> String {
 fn of_section(ui: &mut Ui, session: &mut Session, section: &Section, row: usize) {
     let unit = session.document().unit;
     kind(ui, session, section, row);
-    let columns = [
-        Column::Z1,
-        Column::D1,
-        Column::Z2,
-        Column::D2,
-        Column::Radius,
-        Column::Pitch,
-        Column::Z3,
-        Column::D3,
-        Column::Chords,
-    ];
-    for column in columns.into_iter().filter(|c| cells::get(section, *c).is_some()) {
+    for column in COLUMNS.into_iter().filter(|c| cells::get(section, *c).is_some()) {
         value(ui, session, section, row, column, unit);
     }
     if let Some((z, r)) = centre(section) {

@@ -7,7 +7,7 @@ mod operations;
 mod rows;
 mod stock;
 mod table;
-mod tsv;
+pub(crate) mod tsv;
 
 use super::desk::Requests;
 use super::widgets::{link, title_row};
