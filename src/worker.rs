@@ -168,10 +168,9 @@ mod tests {
             ends: crate::document::Ends::One,
             part_off: false,
             automatic: false,
-            generator: crate::document::Generator::default(),
             form_tolerance: 0.1,
             sections: Vec::new(),
-            overrides: std::collections::BTreeMap::new(),
+            ..TurnedPart::default()
         };
         Arc::new(Document { turnwright: 1, name: name.into(), unit: Unit::Mm, content: Content::TurnedPart(part) })
     }

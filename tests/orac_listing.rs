@@ -6,9 +6,10 @@ mod support;
 
 use support::{master, orac, queen};
 use turnwright::machine::Catalog;
+use turnwright::post::Options;
 use turnwright::post::PostOutput;
 use turnwright::post::orac::{
-    Instruction, Options, compress, files, instructions_text, optimize, pages_text, parse_instructions, post,
+    Instruction, compress, files, instructions_text, optimize, pages_text, parse_instructions, post,
 };
 use turnwright::turning::published::generate;
 
@@ -33,14 +34,14 @@ fn printed(text: &str) -> Vec<Instruction> {
 /// Instruction files of a part as generated.
 fn generated((setup, part): &support::Part) -> Vec<Vec<Instruction>> {
     let (path, _) = generate(setup, part, &orac(), &material());
-    files(&path).into_iter().map(|f| f.instructions).collect()
+    files(&path, 1000.0).into_iter().map(|f| f.instructions).collect()
 }
 
 /// Programs and files of a part as `build` would write them.
 fn posted(name: &str, (setup, part): &support::Part) -> PostOutput {
     let machine = orac();
     let (path, _) = generate(setup, part, &machine, &material());
-    let output = post(name, &path, &Options { optimize: true, automatic: false }, &machine);
+    let output = post(name, &path, &Options { optimize: true, automatic: false, ..Options::default() }, &machine);
     assert_eq!(output.diagnostics, []);
     output
 }
@@ -210,7 +211,7 @@ fn without_optimizing_programs_hold_the_long_files_and_none_is_too_long() {
     let machine = orac();
     let (setup, part) = queen();
     let (path, _) = generate(&setup, &part, &machine, &material());
-    let output = post("QUEEN", &path, &Options { optimize: false, automatic: true }, &machine);
+    let output = post("QUEEN", &path, &Options { optimize: false, automatic: true, ..Options::default() }, &machine);
     assert_eq!(output.diagnostics, []);
     assert!(output.side_files.iter().all(|f| f.name.split('.').next_back() == Some("anc")));
     assert!(output.programs.iter().all(|p| p.blocks.len() <= machine.limits.blocks_per_program));
@@ -224,7 +225,7 @@ fn a_file_far_too_long_is_divided() {
     let fine = turnwright::machine::Material { depth_rough: 0.05, ..material() };
     let (path, _) = generate(&setup, &part, &machine, &fine);
     for optimize in [true, false] {
-        let output = post("QUEEN", &path, &Options { optimize, automatic: false }, &machine);
+        let output = post("QUEEN", &path, &Options { optimize, automatic: false, ..Options::default() }, &machine);
         assert_eq!(output.diagnostics, []);
         assert!(output.programs.len() > 10);
         assert!(output.programs.iter().all(|p| p.blocks.len() <= machine.limits.blocks_per_program));

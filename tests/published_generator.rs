@@ -10,7 +10,8 @@ use support::{Part, master, orac, queen, stepped};
 use turnwright::diagnostic::has_errors;
 use turnwright::geometry::Point;
 use turnwright::machine::{Catalog, Material};
-use turnwright::post::orac::{Instruction, Options, files, optimize, post};
+use turnwright::post::Options;
+use turnwright::post::orac::{Instruction, files, optimize, post};
 use turnwright::turning::published::generate;
 use turnwright::turning::{CutMove, CutterPath, OperationKind};
 use turnwright::units::Unit;
@@ -23,12 +24,17 @@ fn path((setup, part): &Part) -> CutterPath {
     generate(setup, part, &orac(), &material()).0
 }
 
+/// Feed through air of the ORAC, mm/min.
+const RAPID_MM_PER_MIN: f64 = 1000.0;
+
 /// Ends of all moves in order, loops run.
 fn places(moves: &[CutMove], shift: f64, out: &mut Vec<Point>) {
     for m in moves {
         match m {
-            CutMove::Line { to, .. } | CutMove::Arc { to, .. } => out.push(Point::new(to.z, to.r + shift)),
-            CutMove::Thread { .. } => {}
+            CutMove::Line { to, .. } | CutMove::Arc { to, .. } | CutMove::Rapid { to } => {
+                out.push(Point::new(to.z, to.r + shift));
+            }
+            CutMove::Thread { .. } | CutMove::ThreadPass { .. } | CutMove::Dwell { .. } => {}
             CutMove::Repeat { count, step, body } => {
                 (0..*count).for_each(|k| places(body, shift + step.y * f64::from(k), out));
             }
@@ -62,7 +68,8 @@ fn every_example_becomes_programs_that_the_lathe_can_hold() {
             let machine = orac();
             let (path, diagnostics) = generate(&part.0, &part.1, &machine, &material());
             assert!(!has_errors(&diagnostics), "{name}: {diagnostics:?}");
-            let output = post(name, &path, &Options { optimize: true, automatic: true }, &machine);
+            let output =
+                post(name, &path, &Options { optimize: true, automatic: true, ..Options::default() }, &machine);
             assert_eq!(output.diagnostics, [], "{name}");
             assert!(output.programs.iter().all(|p| p.blocks.len() <= machine.limits.blocks_per_program));
             assert!(!output.programs.is_empty(), "{name}");
@@ -73,7 +80,7 @@ fn every_example_becomes_programs_that_the_lathe_can_hold() {
 #[test]
 fn the_moves_of_every_file_add_up_to_zero() {
     for part in [queen(), master()] {
-        for file in files(&path(&part)) {
+        for file in files(&path(&part), RAPID_MM_PER_MIN) {
             for list in [file.instructions.clone(), optimize(&file.instructions)] {
                 assert_eq!(sum(&list), (0, 0), "file {}", file.number);
             }
@@ -186,7 +193,7 @@ proptest! {
 
     #[test]
     fn every_file_ends_at_the_datum_shortened_or_not(radii in proptest::collection::vec((0.5..13.0_f64, 0.5..13.0_f64, 0.3..8.0_f64), 2..8)) {
-        for file in files(&path(&stepped(&radii))) {
+        for file in files(&path(&stepped(&radii)), RAPID_MM_PER_MIN) {
             prop_assert_eq!(sum(&file.instructions), (0, 0));
             prop_assert_eq!(sum(&optimize(&file.instructions)), (0, 0));
         }

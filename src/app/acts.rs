@@ -7,13 +7,12 @@ use super::files::Written;
 use super::layout::{Layout, Pane};
 use super::plots::BlockRef;
 use crate::diagnostic::Place;
-use crate::document::{Content, Document, Ends, FORMAT_VERSION, Generator, TurnedPart};
+use crate::document::{Content, Document, Ends, FORMAT_VERSION, TurnedPart};
 use crate::part::Section;
 use crate::session::{Origin, Session};
 use crate::storage;
 use crate::units::Unit;
 use egui::{Context, ViewportCommand};
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -231,10 +230,9 @@ fn new_part() -> Document {
         ends: Ends::One,
         part_off: false,
         automatic: false,
-        generator: Generator::default(),
         form_tolerance: 0.25,
         sections: vec![Section::line(1, 0.0, 22.0, 25.0, 22.0), Section::line(2, 25.0, 16.0, 40.0, 16.0)],
-        overrides: BTreeMap::new(),
+        ..TurnedPart::default()
     };
     Document { turnwright: FORMAT_VERSION, name: "PART".to_owned(), unit: Unit::Mm, content: Content::TurnedPart(part) }
 }

@@ -1,9 +1,11 @@
 //! What a user edits and saves: plain data, in the unit the user chose, and nothing derived from it.
 
+mod cycles;
 mod row;
 
 use crate::part::Section;
 use crate::units::Unit;
+pub use cycles::{CutIn, Cycle, Instruction};
 use row::{EndsRow, ParabolaCutRow};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -55,6 +57,15 @@ pub struct TurnedPart {
     /// Emit the signals for an automatic tool changer and part handling.
     #[serde(default)]
     pub automatic: bool,
+    /// How the bar is held.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub holding: Holding,
+    /// Material beyond the free end before facing.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub facing_allowance: f64,
+    /// Diameter of the hole in a tube; 0 for solid bar.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub stock_bore_diameter: f64,
     /// Which generator makes the program.
     #[serde(default)]
     pub generator: Generator,
@@ -62,6 +73,9 @@ pub struct TurnedPart {
     pub form_tolerance: f64,
     /// The section table.
     pub sections: Vec<Section>,
+    /// The section table of the bore, from the clamped to the free end; empty without one.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub bore: Vec<Section>,
     /// Programs edited by hand, by program name: the text that replaces the generated one.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub overrides: BTreeMap<String, String>,
@@ -81,11 +95,22 @@ pub enum Ends {
     },
 }
 
+/// How the bar is held.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Holding {
+    /// In the chuck or collet: only cuts towards the headstock.
+    #[default]
+    Chuck,
+    /// On a mandrel or between centres with the tailstock: cuts in both directions.
+    BetweenCentres,
+}
+
 /// Which generator makes the program.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "by", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Generator {
-    /// The published generator: roughing by intervals, two finishing passes, the tool taken as a point.
+    /// The published generator of the ORAC: roughing by intervals, two finishing passes, the tool taken as a point.
     Oracap {
         /// How a parabola becomes lines or arcs.
         #[serde(default)]
@@ -93,6 +118,17 @@ pub enum Generator {
         /// Shorten the program with the published rules.
         #[serde(default = "yes")]
         optimize: bool,
+    },
+    /// The published form-roll cycles, as instructed.
+    Cycles {
+        /// Instructions in order of cutting.
+        instructions: Vec<Instruction>,
+    },
+    /// The planner: nothing asked that it can find out.
+    Planned {
+        /// A program of its own for every stage, so that an operator can restart at any.
+        #[serde(default)]
+        separate_programs: bool,
     },
 }
 
@@ -114,6 +150,56 @@ const fn yes() -> bool {
     true
 }
 
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}
+
+impl Generator {
+    /// How a parabola becomes lines or arcs; only one generator asks.
+    #[must_use]
+    pub const fn parabolas(&self) -> ParabolaCut {
+        match self {
+            Self::Oracap { parabolas, .. } => *parabolas,
+            Self::Cycles { .. } | Self::Planned { .. } => ParabolaCut::Chords,
+        }
+    }
+
+    fn scaled(&self, factor: f64) -> Self {
+        match self {
+            Self::Oracap { parabolas: ParabolaCut::Arcs { tolerance }, optimize } => {
+                Self::Oracap { parabolas: ParabolaCut::Arcs { tolerance: tolerance * factor }, optimize: *optimize }
+            }
+            Self::Cycles { instructions } => {
+                Self::Cycles { instructions: instructions.iter().map(|i| i.scaled(factor)).collect() }
+            }
+            other @ (Self::Oracap { .. } | Self::Planned { .. }) => other.clone(),
+        }
+    }
+}
+
+impl Default for TurnedPart {
+    /// A part of no length for the shipped training lathe, for a caller to fill in.
+    fn default() -> Self {
+        Self {
+            machine: "orac".to_owned(),
+            material: "ALUMINUM".to_owned(),
+            bar_diameter: 0.0,
+            length: 0.0,
+            ends: Ends::One,
+            part_off: false,
+            automatic: false,
+            holding: Holding::Chuck,
+            facing_allowance: 0.0,
+            stock_bore_diameter: 0.0,
+            generator: Generator::default(),
+            form_tolerance: 0.0,
+            sections: Vec::new(),
+            bore: Vec::new(),
+            overrides: BTreeMap::new(),
+        }
+    }
+}
+
 impl Default for Generator {
     fn default() -> Self {
         Self::Oracap { parabolas: ParabolaCut::default(), optimize: true }
@@ -131,14 +217,12 @@ impl TurnedPart {
                 Ends::Two { split: Some(split) } => Ends::Two { split: Some(split * factor) },
                 other => other,
             },
-            generator: match self.generator {
-                Generator::Oracap { parabolas: ParabolaCut::Arcs { tolerance }, optimize } => {
-                    Generator::Oracap { parabolas: ParabolaCut::Arcs { tolerance: tolerance * factor }, optimize }
-                }
-                other @ Generator::Oracap { .. } => other,
-            },
+            facing_allowance: self.facing_allowance * factor,
+            stock_bore_diameter: self.stock_bore_diameter * factor,
+            generator: self.generator.scaled(factor),
             form_tolerance: self.form_tolerance * factor,
             sections: self.sections.iter().map(|s| s.scaled(factor)).collect(),
+            bore: self.bore.iter().map(|s| s.scaled(factor)).collect(),
             ..self.clone()
         }
     }
@@ -146,6 +230,6 @@ impl TurnedPart {
     /// An id that no row has yet.
     #[must_use]
     pub fn unused_section_id(&self) -> u32 {
-        self.sections.iter().map(|s| s.id).max().map_or(1, |id| id.saturating_add(1))
+        self.sections.iter().chain(&self.bore).map(|s| s.id).max().map_or(1, |id| id.saturating_add(1))
     }
 }

@@ -4,7 +4,7 @@ use super::rules::RULES;
 use super::shape::{self, ShapeFault};
 use super::{Curve, Section, SectionKind};
 use crate::diagnostic::{Column, Diagnostic, Place};
-use crate::document::{Generator, ParabolaCut, TurnedPart};
+use crate::document::{ParabolaCut, TurnedPart};
 use crate::machine::Machine;
 use crate::units::Unit;
 
@@ -64,8 +64,7 @@ impl<'a> Table<'a> {
     /// The tolerances of the part with what they are for, mm.
     pub(super) fn tolerances(&self) -> Vec<(&'static str, f64)> {
         let mut tolerances = vec![("form", self.part.form_tolerance)];
-        let Generator::Oracap { parabolas, .. } = self.part.generator;
-        if let ParabolaCut::Arcs { tolerance } = parabolas {
+        if let ParabolaCut::Arcs { tolerance } = self.part.generator.parabolas() {
             tolerances.push(("arc", tolerance));
         }
         tolerances

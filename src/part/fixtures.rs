@@ -1,9 +1,8 @@
 //! The published parts and the machine they were made for, for tests.
 
 use super::Section;
-use crate::document::{Content, Document, Ends, Generator, TurnedPart};
+use crate::document::{Content, Document, Ends, TurnedPart};
 use crate::machine::{Catalog, Machine};
-use std::collections::BTreeMap;
 
 pub(crate) fn orac() -> Machine {
     Catalog::shipped().machine("orac").unwrap().clone()
@@ -19,10 +18,9 @@ pub(crate) fn part(length: f64, sections: Vec<Section>) -> TurnedPart {
         ends: Ends::One,
         part_off: false,
         automatic: false,
-        generator: Generator::default(),
         form_tolerance: 0.05,
         sections,
-        overrides: BTreeMap::new(),
+        ..TurnedPart::default()
     }
 }
 

@@ -2,7 +2,27 @@
 
 pub mod orac;
 
-use crate::turning::OperationKind;
+use crate::machine::{Dialect, Machine};
+use crate::turning::{CutterPath, OperationKind};
+
+/// How programs are made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Options {
+    /// Shorten an ORAC's files with [`orac::optimize`] before they are assembled.
+    pub optimize: bool,
+    /// Put signals for turret and part handling in front of tool changes and of the end.
+    pub automatic: bool,
+    /// A program of its own for every operation.
+    pub separate_programs: bool,
+}
+
+/// The programs of one set-up in the language of its machine. `name` is the item's name; numbers are appended to it.
+#[must_use]
+pub fn post(name: &str, path: &CutterPath, options: &Options, machine: &Machine) -> PostOutput {
+    match machine.dialect {
+        Dialect::Orac => orac::post(name, path, options, machine),
+    }
+}
 
 /// A program for a control, ready to be sent or saved.
 #[derive(Debug, Clone, PartialEq, Eq)]

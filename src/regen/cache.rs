@@ -5,7 +5,7 @@ use crate::diagnostic::Diagnostic;
 use crate::document::TurnedPart;
 use crate::machine::{Machine, Material, ToolOutline};
 use crate::part::{PartContour, Profile, Setup, UnreachableArea};
-use crate::post::{PostOutput, orac};
+use crate::post::{self, PostOutput};
 use crate::proof::{ProofInput, ProofReport};
 use crate::turning::CutterPath;
 use crate::units::Unit;
@@ -21,7 +21,7 @@ type Said<T> = (T, Vec<Diagnostic>);
 type SetupsInput = (TurnedPart, Arc<Machine>);
 
 /// What the generator works from.
-type PathInput = (Arc<Setup>, TurnedPart, Arc<Machine>, Material);
+type PathInput = (Arc<Setup>, TurnedPart, Arc<Machine>, Arc<Tools>, Material);
 
 /// What the last regeneration left behind; one a document.
 #[derive(Debug, Default)]
@@ -43,7 +43,7 @@ pub(super) struct SetupCache {
 #[derive(Debug, Default)]
 pub(super) struct ProgramCache {
     pub(super) path: Stage<PathInput, Said<Arc<CutterPath>>>,
-    pub(super) post: Stage<(String, Arc<CutterPath>, orac::Options, Arc<Machine>), PostOutput>,
+    pub(super) post: Stage<(String, Arc<CutterPath>, post::Options, Arc<Machine>), PostOutput>,
     pub(super) proof: Stage<ProofInput, ProofReport>,
 }
 

@@ -11,7 +11,7 @@ use crate::diagnostic::{Diagnostic, Place};
 use crate::document::{Content, Document, Generator, TurnedPart};
 use crate::machine::{self, Catalog, Machine, Material, ToolOutline};
 use crate::part::{self, PartContour, Setup, UnreachableArea};
-use crate::post::{PostOutput, orac};
+use crate::post::{self, PostOutput};
 use crate::proof::{self, MayCut, ProgramText, ProofInput, ProofReport, Target, Work};
 use crate::turning::{self, CutterPath};
 pub use cache::{Cache, StageRuns};
@@ -170,17 +170,17 @@ fn prove_setup(
     cancel: &Cancel,
 ) -> Result<Proved, Cancelled> {
     let Context { part_mm, machine, tools, material, .. } = context;
-    let path_input = (Arc::clone(setup), without_proof_settings(part_mm), Arc::clone(machine), material.clone());
-    let generated = stages.path.get(path_input, |(setup, part, machine, material)| {
-        let (path, diagnostics) = turning::published::generate(setup, part, machine, material);
+    let path_input =
+        (Arc::clone(setup), without_proof_settings(part_mm), Arc::clone(machine), Arc::clone(tools), material.clone());
+    let generated = stages.path.get(path_input, |(setup, part_mm, machine, tools, material_mm)| {
+        let (path, diagnostics) = turning::generate(&turning::Task { setup, part_mm, machine, tools, material_mm });
         (Arc::new(path), diagnostics)
     });
     let (path, said) = (Arc::clone(&generated.0), generated.1.clone());
     cancel.check()?;
-    let Generator::Oracap { optimize, .. } = part_mm.generator;
-    let options = orac::Options { optimize, automatic: part_mm.automatic };
+    let options = post_options(part_mm);
     let post_input = (name.to_owned(), Arc::clone(&path), options, Arc::clone(machine));
-    let post = stages.post.get(post_input, |(name, path, options, machine)| orac::post(name, path, options, machine));
+    let post = stages.post.get(post_input, |(name, path, options, machine)| post::post(name, path, options, machine));
     let programs = Arc::new(with_overrides(&post, part_mm));
     let input = ProofInput {
         machine: Arc::clone(machine),
@@ -190,6 +190,16 @@ fn prove_setup(
     };
     let proof = stages.proof.try_get(input, |input| proof::prove(input, cancel))?;
     Ok(Proved { path, said, post, programs, proof })
+}
+
+/// What a part asks of the post.
+#[must_use]
+pub const fn post_options(part: &TurnedPart) -> post::Options {
+    post::Options {
+        optimize: matches!(part.generator, Generator::Oracap { optimize: true, .. }),
+        automatic: part.automatic,
+        separate_programs: matches!(part.generator, Generator::Planned { separate_programs: true }),
+    }
 }
 
 /// The part without the texts edited by hand, which neither checks nor generator look at.

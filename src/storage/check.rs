@@ -2,7 +2,7 @@
 //! saved can be opened again. Whether the part can be made is a question for the part's own checks, not for this one.
 
 use crate::diagnostic::{Column, Place};
-use crate::document::{Content, Document, Ends, FORMAT_VERSION, Generator, ParabolaCut, TurnedPart};
+use crate::document::{Content, Document, Ends, FORMAT_VERSION, ParabolaCut, TurnedPart};
 use crate::part::{Section, SectionKind};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -65,8 +65,8 @@ fn part_faults(part: &TurnedPart, faults: &mut Vec<Fault>) {
         faults.push(Fault { path: format!("content.turned_part.{key}"), at, message });
     };
     let split = if let Ends::Two { split } = part.ends { split } else { None };
-    let Generator::Oracap { parabolas, .. } = part.generator;
-    let tolerance = if let ParabolaCut::Arcs { tolerance } = parabolas { Some(tolerance) } else { None };
+    let tolerance =
+        if let ParabolaCut::Arcs { tolerance } = part.generator.parabolas() { Some(tolerance) } else { None };
     for (key, at, value) in [
         ("bar_diameter", Place::Stock, part.bar_diameter),
         ("length", Place::Document, part.length),

@@ -13,13 +13,17 @@ pub struct CutterPath {
     pub operations: Vec<Operation>,
 }
 
-/// Moves of one tool for one purpose, from the datum back to the datum.
+/// Moves of one tool for one purpose, from its change position back to it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Operation {
     /// Purpose.
     pub kind: OperationKind,
+    /// Name for people, used in program comments and on the setup sheet.
+    pub name: String,
     /// Turret station of the tool.
     pub tool: u32,
+    /// Where the programmed point is while the turret turns; `None` stands for the path's datum.
+    pub change: Option<Point>,
     /// Moves in order.
     pub moves: Vec<CutMove>,
 }
@@ -35,23 +39,72 @@ pub enum OperationKind {
     RoughLeft,
     /// Finishing what the right-hand tool leaves.
     FinishLeft,
-    /// Threading.
+    /// Facing the free end.
+    Face,
+    /// Grooves with a blade.
+    Groove,
+    /// Hollows that a turning tool enters along a cut-in line.
+    Pocket,
+    /// Drilling on the axis.
+    Drill,
+    /// Roughing a bore.
+    RoughBore,
+    /// Finishing a bore.
+    FinishBore,
+    /// Threading outside.
     Thread,
+    /// Threading in a bore.
+    ThreadBore,
     /// Parting off.
     PartOff,
+}
+
+/// How a cutting move is made.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cut {
+    /// How fast the tool travels.
+    pub feed: Feed,
+    /// How fast the work turns.
+    pub speed: Speed,
+}
+
+/// Feed of a cutting move.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Feed {
+    /// mm/min.
+    PerMinute(f64),
+    /// mm/rev.
+    PerRev(f64),
+}
+
+/// Speed of the spindle during a cutting move.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Speed {
+    /// A fixed speed, rev/min.
+    Rpm(f64),
+    /// Constant cutting speed.
+    Surface {
+        /// Cutting speed, m/min.
+        m_per_min: f64,
+        /// Spindle speed that the control must not exceed, rev/min.
+        max_rpm: f64,
+    },
 }
 
 /// One move of the programmed point.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CutMove {
+    /// Through air, straight to `to`, both axes together.
+    Rapid {
+        /// End point.
+        to: Point,
+    },
     /// Straight to `to`.
     Line {
         /// End point.
         to: Point,
-        /// Feed, mm/min.
-        feed_mm_per_min: f64,
-        /// Spindle speed, rev/min.
-        rpm: f64,
+        /// Feed and speed.
+        cut: Cut,
     },
     /// On an arc of at most half a turn to `to`.
     Arc {
@@ -61,10 +114,8 @@ pub enum CutMove {
         center: Point,
         /// Counter-clockwise with z right and r up.
         ccw: bool,
-        /// Feed, mm/min.
-        feed_mm_per_min: f64,
-        /// Spindle speed, rev/min.
-        rpm: f64,
+        /// Feed and speed.
+        cut: Cut,
     },
     /// A complete thread by the control's own cycle, from the present point; the tool ends where it began.
     Thread {
@@ -81,6 +132,22 @@ pub enum CutMove {
         /// Spindle speed, rev/min.
         rpm: f64,
     },
+    /// One threading pass: straight to `to` with the slide coupled to the spindle.
+    ThreadPass {
+        /// End point.
+        to: Point,
+        /// Advance along the spindle per turn, mm.
+        lead: f64,
+        /// Angle of the spindle at which the pass starts, degrees; tells the starts of a multi-start thread apart.
+        start_deg: f64,
+        /// Spindle speed, rev/min.
+        rpm: f64,
+    },
+    /// The tool waits with the spindle turning.
+    Dwell {
+        /// Seconds.
+        seconds: f64,
+    },
     /// The moves of `body`, `count` times, each time displaced by `step` from the time before.
     Repeat {
         /// How often.
@@ -90,4 +157,54 @@ pub enum CutMove {
         /// The moves of the first time.
         body: Vec<CutMove>,
     },
+}
+
+impl OperationKind {
+    /// Name for people.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::RoughRight => "Rough, right-hand",
+            Self::FinishRight => "Finish, right-hand",
+            Self::RoughLeft => "Rough, left-hand",
+            Self::FinishLeft => "Finish, left-hand",
+            Self::Face => "Face",
+            Self::Groove => "Groove",
+            Self::Pocket => "Pocket",
+            Self::Drill => "Drill",
+            Self::RoughBore => "Rough bore",
+            Self::FinishBore => "Finish bore",
+            Self::Thread => "Thread",
+            Self::ThreadBore => "Thread in bore",
+            Self::PartOff => "Part off",
+        }
+    }
+}
+
+impl Cut {
+    /// Feed in mm/min at a fixed spindle speed.
+    #[must_use]
+    pub const fn per_minute(feed_mm_per_min: f64, rpm: f64) -> Self {
+        Self { feed: Feed::PerMinute(feed_mm_per_min), speed: Speed::Rpm(rpm) }
+    }
+
+    /// Spindle speed with the tool at `radius` mm, rev/min: `v / (2πr)` of a constant cutting speed, at most its clamp.
+    #[must_use]
+    pub fn rpm_at(&self, radius: f64) -> f64 {
+        match self.speed {
+            Speed::Rpm(rpm) => rpm,
+            Speed::Surface { m_per_min, max_rpm } => {
+                (m_per_min * 1000.0 / (std::f64::consts::TAU * radius.abs())).min(max_rpm)
+            }
+        }
+    }
+
+    /// Feed with the tool at `radius` mm, mm/min.
+    #[must_use]
+    pub fn mm_per_min_at(&self, radius: f64) -> f64 {
+        match self.feed {
+            Feed::PerMinute(feed) => feed,
+            Feed::PerRev(feed) => feed * self.rpm_at(radius),
+        }
+    }
 }

@@ -9,7 +9,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use std::sync::Arc;
 use turnwright::cancel::Cancel;
-use turnwright::document::{Content, Document, Generator, TurnedPart};
+use turnwright::document::{Content, Document, TurnedPart};
 use turnwright::machine::{self, Catalog};
 use turnwright::post::orac;
 use turnwright::proof;
@@ -80,8 +80,7 @@ fn stages(c: &mut Criterion) {
     c.bench_function("stage/paths", |b| {
         b.iter(|| turning::published::generate(black_box(&item.setup), part_mm, &machine, &material));
     });
-    let Generator::Oracap { optimize, .. } = part_mm.generator;
-    let options = orac::Options { optimize, automatic: part_mm.automatic };
+    let options = regen::post_options(part_mm);
     c.bench_function("stage/program", |b| {
         b.iter(|| orac::post(&item.name, black_box(&item.path), &options, &machine));
     });

@@ -119,12 +119,12 @@ impl Palette {
     #[must_use]
     pub const fn operation(&self, kind: Option<OperationKind>) -> Color32 {
         let (light, dark) = match kind {
-            Some(OperationKind::RoughRight) => (0x00_72B2, 0x3D_9BDC),
-            Some(OperationKind::FinishRight) => (0x00_9E73, 0x1F_BF92),
-            Some(OperationKind::RoughLeft) => (0xE6_9F00, 0xE6_9F00),
+            Some(OperationKind::RoughRight | OperationKind::RoughBore) => (0x00_72B2, 0x3D_9BDC),
+            Some(OperationKind::FinishRight | OperationKind::FinishBore) => (0x00_9E73, 0x1F_BF92),
+            Some(OperationKind::RoughLeft | OperationKind::Pocket) => (0xE6_9F00, 0xE6_9F00),
             Some(OperationKind::FinishLeft) => (0xCC_79A7, 0xD9_8DB8),
-            Some(OperationKind::Thread) => (0x56_B4E9, 0x7C_C6F0),
-            Some(OperationKind::PartOff) => (0x52_606D, 0xC3_CBD4),
+            Some(OperationKind::Thread | OperationKind::ThreadBore | OperationKind::Groove) => (0x56_B4E9, 0x7C_C6F0),
+            Some(OperationKind::PartOff | OperationKind::Face | OperationKind::Drill) => (0x52_606D, 0xC3_CBD4),
             None => (0xB8_C0CA, 0x59_6370),
         };
         rgb(if self.dark { dark } else { light })

@@ -1,11 +1,10 @@
 //! Parts and set-ups made by hand for tests.
 
-use crate::document::{Ends, Generator, TurnedPart};
+use crate::document::{Ends, TurnedPart};
 use crate::geometry::{Contour, Point, Segment, Vector};
 use crate::part::{PartContour, Profile, Section, SectionKind, Setup, ThreadSpec};
 use crate::proof::{BlockReport, Motion, Move, ProgramText, ProofReport, StockState};
 use crate::regen::SetupDerived;
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// A part in mm with the given rows, on a 26.2 mm bar.
@@ -18,10 +17,9 @@ pub(super) fn part(sections: Vec<Section>) -> TurnedPart {
         ends: Ends::One,
         part_off: false,
         automatic: false,
-        generator: Generator::default(),
         form_tolerance: 0.02,
         sections,
-        overrides: BTreeMap::new(),
+        ..TurnedPart::default()
     }
 }
 

@@ -26,12 +26,7 @@ impl TimeShare {
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self.operation {
-            Some(OperationKind::RoughRight) => "Rough, right-hand",
-            Some(OperationKind::FinishRight) => "Finish, right-hand",
-            Some(OperationKind::RoughLeft) => "Rough, left-hand",
-            Some(OperationKind::FinishLeft) => "Finish, left-hand",
-            Some(OperationKind::Thread) => "Thread",
-            Some(OperationKind::PartOff) => "Part off",
+            Some(kind) => kind.name(),
             None => "Rapid, tool changes",
         }
     }

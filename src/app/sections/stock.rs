@@ -38,7 +38,7 @@ pub(crate) fn show(ui: &mut Ui, session: &mut Session, requests: &Requests) {
         grid.length(ui, session, "Tolerance", "form tolerance", part.form_tolerance, unit, |p, v| p.form_tolerance = v);
         grid.yes_no(ui, session, "Automatic", part.automatic, |p, yes| p.automatic = yes);
     });
-    grid.generator(ui, session, part.generator, unit);
+    grid.generator(ui, session, &part.generator, unit);
 }
 
 /// Widths of the columns.
@@ -137,8 +137,8 @@ impl Grid {
         }
     }
 
-    fn generator(self, ui: &mut Ui, session: &mut Session, generator: Generator, unit: Unit) {
-        let Generator::Oracap { parabolas, optimize } = generator;
+    fn generator(self, ui: &mut Ui, session: &mut Session, generator: &Generator, unit: Unit) {
+        let Generator::Oracap { parabolas, optimize } = *generator else { return };
         let set = |session: &mut Session, label: &str, parabolas, optimize| {
             session.edit_part(label, None, |p| p.generator = Generator::Oracap { parabolas, optimize });
         };

@@ -89,9 +89,8 @@ fn paste_line(section: &mut Section, column: Column, line: &str, unit: Unit) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{Ends, Generator};
+    use crate::document::Ends;
     use crate::part::SectionKind;
-    use std::collections::BTreeMap;
 
     fn part(sections: Vec<Section>) -> TurnedPart {
         TurnedPart {
@@ -102,10 +101,9 @@ mod tests {
             ends: Ends::One,
             part_off: false,
             automatic: false,
-            generator: Generator::default(),
             form_tolerance: 0.1,
             sections,
-            overrides: BTreeMap::new(),
+            ..TurnedPart::default()
         }
     }
 

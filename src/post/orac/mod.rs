@@ -14,10 +14,10 @@ mod text;
 mod words;
 pub mod write;
 
-use super::{BlockInfo, PostOutput, Program, SideFile};
+use super::{BlockInfo, Options, PostOutput, Program, SideFile};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::machine::Machine;
-use crate::turning::CutterPath;
+use crate::turning::{CutMove, CutterPath};
 use assemble::{Block, assemble};
 pub use compress::compress;
 pub use files::{InstructionFile, files};
@@ -26,19 +26,10 @@ pub use optimize::optimize;
 pub use page::{PAGE_START, pages_text};
 pub use text::{instructions_text, parse_instructions};
 
-/// How programs are made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Options {
-    /// Shorten the files with [`optimize`] before they are assembled.
-    pub optimize: bool,
-    /// Put signals for turret and part handling in front of tool changes and of the end.
-    pub automatic: bool,
-}
-
 /// The programs and instruction files of one set-up. `name` is the item's name; numbers are appended to it.
 #[must_use]
 pub fn post(name: &str, path: &CutterPath, options: &Options, machine: &Machine) -> PostOutput {
-    let plain = files(path);
+    let plain = files(path, machine.rapid_feed_mm_per_min);
     let mut side_files: Vec<SideFile> = plain.iter().map(|f| side_file(name, "anc", f)).collect();
     let used = if options.optimize { plain.iter().map(shortened).collect() } else { plain };
     if options.optimize {
@@ -48,9 +39,18 @@ pub fn post(name: &str, path: &CutterPath, options: &Options, machine: &Machine)
     let assembled = assemble(&used, limit, options.automatic);
     let programs: Vec<Program> =
         (1..).zip(&assembled).map(|(k, blocks)| program(format!("{name}{k}"), blocks)).collect();
-    let diagnostics =
-        programs.iter().zip(&assembled).flat_map(|(program, blocks)| check(program, blocks, machine)).collect();
+    let checked = programs.iter().zip(&assembled).flat_map(|(program, blocks)| check(program, blocks, machine));
+    let diagnostics = passes_refused(path, machine).into_iter().chain(checked).collect();
     PostOutput { programs, side_files, diagnostics }
+}
+
+/// Single threading passes, for which the control has no instruction.
+fn passes_refused(path: &CutterPath, machine: &Machine) -> Option<Diagnostic> {
+    let operation = path.operations.iter().find(|o| o.moves.iter().any(|m| matches!(m, CutMove::ThreadPass { .. })))?;
+    let message =
+        format!("\"{}\" cuts a thread pass by pass; {} knows whole threads only.", operation.name, machine.name);
+    let at = Place::Tool { station: operation.tool };
+    Some(Diagnostic::error("orac-thread-pass", at, message).with_hint("Cut the thread by the control's own cycle."))
 }
 
 fn shortened(file: &InstructionFile) -> InstructionFile {

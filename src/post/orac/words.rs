@@ -15,15 +15,27 @@ pub(super) fn start(path: &CutterPath) -> [Instruction; 3] {
 }
 
 /// The instructions of one operation, from the datum.
-pub(super) fn operation(path: &CutterPath, operation: &Operation) -> Vec<Instruction> {
+pub(super) fn operation(path: &CutterPath, operation: &Operation, rapid_mm_per_min: f64) -> Vec<Instruction> {
     let mut writer = Writer {
         zero_z: path.program_zero_z,
         at: Place::of(path.datum, path.program_zero_z),
         tool: i32::try_from(operation.tool).unwrap_or(i32::MAX),
+        rapid: rapid_mm_per_min,
+        rpm: first_rpm(&operation.moves),
         out: Vec::new(),
     };
     operation.moves.iter().for_each(|m| writer.cut_move(m));
     writer.out
+}
+
+/// Spindle speed of the first cut, rev/min: the tool approaches with it.
+fn first_rpm(moves: &[CutMove]) -> f64 {
+    let speeds = moves.iter().filter_map(|m| match m {
+        CutMove::Line { to, cut } | CutMove::Arc { to, cut, .. } => Some(cut.rpm_at(to.r)),
+        CutMove::Thread { rpm, .. } | CutMove::ThreadPass { rpm, .. } => Some(*rpm),
+        CutMove::Rapid { .. } | CutMove::Dwell { .. } | CutMove::Repeat { .. } => None,
+    });
+    speeds.into_iter().next().unwrap_or(0.0)
 }
 
 /// A position in thousandths of a mm, in program space.
@@ -48,6 +60,10 @@ struct Writer {
     zero_z: f64,
     at: Place,
     tool: i32,
+    /// Feed through air, mm/min: the control has no rapid word.
+    rapid: f64,
+    /// Speed of the last cut, rev/min; kept through air.
+    rpm: f64,
     out: Vec<Instruction>,
 }
 
@@ -62,13 +78,22 @@ impl Writer {
 
     fn cut_move(&mut self, m: &CutMove) {
         match *m {
-            CutMove::Line { to, feed_mm_per_min, rpm } => {
+            CutMove::Rapid { to } => {
                 let Place { x, z } = self.advance(to);
-                self.point_to_point(x, z, feed_mm_per_min, rpm);
+                self.point_to_point(x, z, self.rapid, self.rpm);
             }
-            CutMove::Arc { to, center, ccw, feed_mm_per_min, rpm } => {
-                self.arc(to, to.distance(center), ccw, feed_mm_per_min, rpm);
+            CutMove::Line { to, cut } => {
+                self.rpm = cut.rpm_at(to.r);
+                let Place { x, z } = self.advance(to);
+                self.point_to_point(x, z, cut.mm_per_min_at(to.r), self.rpm);
             }
+            CutMove::Arc { to, center, ccw, cut } => {
+                self.rpm = cut.rpm_at(to.r);
+                self.arc(to, to.distance(center), ccw, cut.mm_per_min_at(to.r), self.rpm);
+            }
+            CutMove::Dwell { seconds } => self.out.push(Instruction::Dwel { time: thousandths(seconds) }),
+            // The control has no single threading pass; the post refuses such a path.
+            CutMove::ThreadPass { .. } => {}
             CutMove::Thread { to_z, outside_radius, base_radius, pitch, depth_per_cut, rpm } => {
                 self.out.push(Instruction::Thrd {
                     z: thousandths(to_z - self.zero_z).saturating_sub(self.at.z),

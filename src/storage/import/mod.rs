@@ -13,7 +13,7 @@ pub use dxf::dxf;
 pub use table::tsv;
 
 use crate::diagnostic::Diagnostic;
-use crate::document::{Content, Document, Ends, FORMAT_VERSION, Generator, TurnedPart};
+use crate::document::{Content, Document, Ends, FORMAT_VERSION, TurnedPart};
 use crate::part::Section;
 use crate::storage::check;
 use crate::units::Unit;
@@ -65,10 +65,9 @@ impl Imported {
                 ends: self.ends,
                 part_off: self.part_off,
                 automatic: self.automatic,
-                generator: Generator::default(),
                 form_tolerance: default_form_tolerance(self.unit),
                 sections: self.sections,
-                overrides: std::collections::BTreeMap::new(),
+                ..TurnedPart::default()
             }),
         };
         let faults = check::faults(&document);

@@ -75,7 +75,13 @@ pub fn generate(
 
 fn operations(plan: &Plan, setup: &Setup) -> Vec<Operation> {
     use OperationKind::{FinishLeft, FinishRight, PartOff, RoughLeft, RoughRight, Thread};
-    let operation = |kind, tool, moves: Vec<CutMove>| Operation { kind, tool, moves };
+    let operation = |kind: OperationKind, tool, moves: Vec<CutMove>| Operation {
+        kind,
+        name: kind.name().to_owned(),
+        tool,
+        change: None,
+        moves,
+    };
     let part_off = setup.part_off_width.map(|width| part_off::part_off(plan, setup.machined_from_z, width));
     let mut all = vec![
         operation(RoughRight, station::RIGHT_HAND, rough_right::rough_right(plan)),

@@ -4,7 +4,7 @@ use super::envelope::{Envelope, Shadow};
 use super::surface::Surface;
 use crate::geometry::{Point, Segment, Vector};
 use crate::machine::{Machine, Material};
-use crate::turning::CutMove;
+use crate::turning::{Cut, CutMove};
 
 /// Smallest step of the control's numbers, mm. Depths are multiples of it, so that the passes of a loop are equal.
 const CONTROL_STEP_MM: f64 = 0.001;
@@ -86,7 +86,7 @@ pub(super) struct Moves<'a> {
 impl Moves<'_> {
     /// Straight to `to` at any feed.
     pub(super) fn line(&mut self, to: Point, feed_mm_per_min: f64, rpm: f64) {
-        self.list.push(CutMove::Line { to, feed_mm_per_min, rpm });
+        self.list.push(CutMove::Line { to, cut: Cut::per_minute(feed_mm_per_min, rpm) });
         self.at = to;
     }
 
@@ -122,8 +122,8 @@ impl Moves<'_> {
         match lifted {
             Segment::Line { end, .. } => self.line(end, plan.material.feed_cut, rpm),
             Segment::Arc { end: to, center, ccw, .. } => {
-                let feed_mm_per_min = plan.material.feed_cut;
-                self.list.push(CutMove::Arc { to, center, ccw, feed_mm_per_min, rpm });
+                let cut = Cut::per_minute(plan.material.feed_cut, rpm);
+                self.list.push(CutMove::Arc { to, center, ccw, cut });
                 self.at = to;
             }
         }

@@ -1,14 +1,13 @@
 //! The profile as lines and arcs that the control knows: parabolas become chords or tangent arcs.
 
-use crate::document::{Generator, ParabolaCut, TurnedPart};
+use crate::document::{ParabolaCut, TurnedPart};
 use crate::geometry::{Point, Segment};
 use crate::machine::Machine;
 use crate::part::{Curve, Parabola, Piece, Setup, contour};
 
 /// The segments of the set-up's profile in order of z.
 pub(super) fn segments(setup: &Setup, part_mm: &TurnedPart, machine: &Machine) -> Vec<Segment> {
-    let Generator::Oracap { parabolas, .. } = part_mm.generator;
-    match parabolas {
+    match part_mm.generator.parabolas() {
         ParabolaCut::Chords => setup.profile.pieces.iter().flat_map(|p| piece_with_chords(p, setup, part_mm)).collect(),
         ParabolaCut::Arcs { tolerance } => {
             let arcs = contour(&setup.profile, tolerance).contour.segments;
