@@ -9,7 +9,8 @@ use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use turnwright::app::{Action, Pane, Surroundings};
 use turnwright::diagnostic::Severity;
-use turnwright::session::Verdict;
+use turnwright::proof::BlockRef;
+use turnwright::session::{Hovered, Verdict};
 use turnwright::transfer::Outcome;
 
 #[test]
@@ -225,4 +226,191 @@ fn an_edit_that_was_never_saved_survives_a_crash() {
     next.until_current();
     assert_eq!(next.session().part().sections[11].d2, 2.5);
     assert!(next.session().has_unsaved_work());
+}
+
+fn type_text(window: &mut Window, text: &str) {
+    window.harness.event(Event::Text(text.to_owned()));
+    window.harness.run_steps(3);
+}
+
+fn press(window: &mut Window, key: Key) {
+    window.harness.key_press(key);
+    window.harness.run_steps(3);
+}
+
+#[test]
+fn row_segment_and_blocks_light_up_together() {
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    let row_7 = window.session().part().sections[6].id;
+    let block = BlockRef { program: 1, block: 15 };
+    window.harness.get_by_label("Row 7").hover();
+    window.harness.run_steps(3);
+    assert_eq!(window.session().lit().sections, [row_7]);
+    assert_eq!(window.session().lit().blocks, [block]);
+    window.harness.remove_cursor();
+    window.harness.run_steps(3);
+    assert!(window.session().lit().blocks.is_empty() && window.session().lit().sections.is_empty());
+    window.session().select_block("QUEEN2", 15);
+    window.harness.run_steps(4);
+    window.harness.get_by_label_contains("Line 15: ").hover();
+    window.harness.run_steps(3);
+    assert_eq!(window.session().lit().sections, [row_7]);
+    assert_eq!(window.session().lit().blocks, [block]);
+}
+
+#[test]
+fn the_line_under_the_pointer_stays_lit_in_the_profile() {
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    let node = |window: &Window, name: &str| window.harness.get_by_label_contains(name).rect().center();
+    let (from, to) = (node(&window, "Node z 38.600  ⌀ 10.200"), node(&window, "Node z 41.000  ⌀ 10.200"));
+    window.harness.hover_at(from + (to - from) * 0.5);
+    window.harness.run_steps(6);
+    let row_7 = window.session().part().sections[6].id;
+    assert_eq!(window.session().lit().sections, [row_7]);
+    assert_eq!(window.session().lit().blocks, [BlockRef { program: 1, block: 15 }]);
+}
+
+#[test]
+fn a_gouging_block_lights_the_row_that_it_spoils() {
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    common::change_one_z(&mut window);
+    let proof = window.session().setup().unwrap().proof.clone();
+    let gouge = proof.errors().find(|f| f.kind == turnwright::proof::FindingKind::Gouge).unwrap();
+    let program = window.session().setup().unwrap().programs.iter().position(|p| p.name == gouge.program).unwrap();
+    window.session().hover(Some(Hovered::Block(BlockRef { program, block: gouge.block })));
+    assert!(!window.session().lit().sections.is_empty());
+}
+
+#[test]
+fn a_cell_takes_effect_while_it_is_typed() {
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    window.click("⌀ end of row 1: 25.400");
+    type_text(&mut window, "24");
+    assert_eq!(window.session().part().sections[0].d2, 24.0);
+    type_text(&mut window, ".5");
+    assert_eq!(window.session().part().sections[0].d2, 24.5);
+    type_text(&mut window, "+");
+    assert_eq!(window.session().part().sections[0].d2, 25.4, "a text that is no length leaves the old value");
+    type_text(&mut window, "0.5");
+    assert_eq!(window.session().part().sections[0].d2, 25.0);
+    press(&mut window, Key::Enter);
+    assert_eq!(window.session().part().sections[0].d2, 25.0);
+    assert_eq!(window.session().history().undo_label(), Some("⌀ end of line 1"));
+    window.session().undo();
+    assert_eq!(window.session().part().sections[0].d2, 25.4);
+    assert_eq!(window.session().history().undo_label(), None, "one step");
+}
+
+#[test]
+fn escape_puts_the_value_before_the_edit_back() {
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    window.click("⌀ end of row 1: 25.400");
+    type_text(&mut window, "24");
+    press(&mut window, Key::Escape);
+    assert_eq!(window.session().part().sections[0].d2, 25.4);
+    assert_eq!(window.session().history().undo_label(), None);
+    assert!(window.harness.query_by_label("⌀ end of row 1: 25.400").is_some());
+}
+
+#[test]
+fn a_bad_text_after_a_good_one_leaves_the_value_before_the_edit() {
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    window.click("z end of row 1: 2.000");
+    type_text(&mut window, "3");
+    assert_eq!(window.session().part().sections[0].z2, 3.0);
+    type_text(&mut window, "..1");
+    press(&mut window, Key::Tab);
+    assert_eq!(window.session().part().sections[0].z2, 2.0);
+    assert!(window.harness.query_by_label("z end of row 1: 3..1").is_some());
+    assert_eq!(window.session().history().undo_label(), None);
+}
+
+#[test]
+fn fields_take_effect_while_they_are_typed() {
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    window.click("Bar ⌀");
+    type_text(&mut window, "30");
+    assert_eq!(window.session().part().bar_diameter, 30.0);
+    type_text(&mut window, "+");
+    assert_eq!(window.session().part().bar_diameter, 26.2);
+    type_text(&mut window, "1");
+    assert_eq!(window.session().part().bar_diameter, 31.0);
+    press(&mut window, Key::Escape);
+    assert_eq!(window.session().part().bar_diameter, 26.2);
+    assert_eq!(window.session().history().undo_label(), None);
+    window.click("Row 1");
+    window.click("⌀ end");
+    type_text(&mut window, "2");
+    type_text(&mut window, "4");
+    assert_eq!(window.session().part().sections[0].d2, 24.0);
+    press(&mut window, Key::Enter);
+    assert_eq!(window.session().part().sections[0].d2, 24.0);
+    window.session().undo();
+    assert_eq!(window.session().part().sections[0].d2, 25.4);
+    assert_eq!(window.session().history().undo_label(), None, "one step");
+}
+
+#[test]
+fn a_program_of_an_older_document_does_not_leave_the_window() {
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    assert_eq!(window.session().outdated(), None);
+    window.session().edit_part("longer", None, |part| part.length = 57.0);
+    assert!(window.session().outdated().is_some_and(|reason| reason.contains("made anew")));
+    let ctx = window.harness.ctx.clone();
+    window.desk().act(&ctx, Action::Send);
+    window.desk().act(&ctx, Action::SendAllTheSame);
+    assert!(window.desk().transfer_progress().is_none() && window.desk().transfer_outcome().is_none());
+    window.until_current();
+    assert_eq!(window.session().outdated(), None);
+}
+
+#[test]
+fn programs_shown_and_received_are_saved_to_files() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    window.desk().set_paced(false);
+    let text = window.session().program().unwrap().text.clone();
+    let save_as = |window: &mut Window, name: &str| {
+        let path = folder.path().join(name);
+        window.harness.run_steps(3);
+        window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        type_text(window, &path.display().to_string());
+        press(window, Key::Enter);
+        let saved = path.clone();
+        window.until("saved", move |_| saved.exists());
+        std::fs::read_to_string(path).unwrap()
+    };
+    window.click("File");
+    window.click("Save QUEEN1…");
+    assert_eq!(save_as(&mut window, "shown.cnc"), text);
+    window.click("Send to ORAC");
+    window.until("sent", |desk| desk.transfer_outcome().is_some());
+    window.click("Receive");
+    window.until("received", |desk| matches!(desk.transfer_outcome(), Some(Outcome::Received { .. })));
+    window.click("Save…");
+    assert_eq!(save_as(&mut window, "received.cnc"), text);
+    assert!(window.session().path().is_none(), "a program is not the document");
+}
+
+#[test]
+fn leftover_is_told_by_the_row_that_the_user_sees() {
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    window.session().edit_part("closer", None, |part| part.form_tolerance = 0.05);
+    window.until_current();
+    let leftover: Vec<String> = {
+        let problems = window.session().problems();
+        problems.iter().filter(|d| d.code == "leftover").map(|d| d.message.clone()).collect()
+    };
+    assert!(leftover.iter().any(|message| message.contains("left on concave 4 at z")), "{leftover:?}");
+    assert!(leftover.iter().all(|message| !message.contains(" id ")));
 }

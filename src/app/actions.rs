@@ -3,6 +3,7 @@
 use super::layout::Pane;
 use crate::diagnostic::Place;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// One request.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,6 +48,15 @@ pub enum Action {
     AskOpen,
     /// Ask for a file to export to.
     AskExport,
+    /// Ask for a file to save this text in, which is a program by this name.
+    AskSaveProgram {
+        /// Name without extension.
+        name: String,
+        /// The pages, control characters and all.
+        text: Arc<str>,
+    },
+    /// Write a text as it is into a file.
+    WriteText(PathBuf, Arc<str>),
     /// Write the document into a file whose kind goes by its extension.
     WriteTo(PathBuf),
     /// Open what a run that crashed left behind, by index.

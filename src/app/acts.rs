@@ -5,10 +5,10 @@ use super::desk::{Desk, Views};
 use super::dialogs::{Dialog, FileDialog, Purpose, UnsavedQuestion};
 use super::files::Written;
 use super::layout::{Layout, Pane};
-use super::plots::BlockRef;
 use crate::diagnostic::Place;
 use crate::document::{Content, Document, Ends, FORMAT_VERSION, TurnedPart};
 use crate::part::Section;
+use crate::proof::BlockRef;
 use crate::session::{Origin, Session};
 use crate::storage;
 use crate::units::Unit;
@@ -18,6 +18,8 @@ use std::sync::Arc;
 
 /// Files that the start page offers.
 const RECENT_KEPT: usize = 8;
+/// Ending of a file of ORAC pages.
+const PROGRAM_ENDING: &str = "cnc";
 /// Machine of a part whose file names none.
 const FIRST_MACHINE: &str = "orac";
 
@@ -55,6 +57,8 @@ impl Desk {
             Action::SaveAs => self.ask_file(ctx, Purpose::SaveAs, "turn"),
             Action::AskExport => self.ask_file(ctx, Purpose::Export, "dxf"),
             Action::AskOpen => self.ask_file(ctx, Purpose::Open, ""),
+            Action::AskSaveProgram { name, text } => self.ask_program_file(ctx, &name, text),
+            Action::WriteText(path, text) => self.files.write_text(path, text),
             Action::WriteTo(path) => self.write(path),
             Action::Undo => self.session.iter_mut().for_each(Session::undo),
             Action::Redo => self.session.iter_mut().for_each(Session::redo),
@@ -137,13 +141,20 @@ impl Desk {
         let name = self.session.as_ref().map(|s| s.document().name.to_lowercase());
         let present = self.session.as_ref().and_then(|s| s.path().map(Path::to_owned));
         let path = match purpose {
-            Purpose::Open => PathBuf::new(),
+            Purpose::Open | Purpose::Program(_) => PathBuf::new(),
             Purpose::SaveAs | Purpose::Export => {
                 present.or(name.map(PathBuf::from)).unwrap_or_default().with_extension(ending)
             }
         };
         let system = self.surroundings.system_dialogs;
         self.dialog = Some(Dialog::File(FileDialog::ask(ctx, purpose, &path, system)));
+    }
+
+    fn ask_program_file(&mut self, ctx: &Context, name: &str, text: Arc<str>) {
+        let folder = self.session.as_ref().and_then(|s| s.path().and_then(Path::parent)).unwrap_or(Path::new(""));
+        let path = folder.join(name).with_extension(PROGRAM_ENDING);
+        let system = self.surroundings.system_dialogs;
+        self.dialog = Some(Dialog::File(FileDialog::ask(ctx, Purpose::Program(text), &path, system)));
     }
 
     fn write(&mut self, path: PathBuf) {
@@ -163,8 +174,9 @@ impl Desk {
             Ok(remarks) => {
                 self.say_done(&format!("Saved {name}."));
                 self.say_all(&remarks);
-                if written.path.extension().is_some_and(|e| e.eq_ignore_ascii_case("turn")) {
-                    self.document_saved(ctx, &written.path, written.document);
+                let own = written.path.extension().is_some_and(|e| e.eq_ignore_ascii_case("turn"));
+                if let Some(document) = written.document.filter(|_| own) {
+                    self.document_saved(ctx, &written.path, document);
                 }
             }
         }

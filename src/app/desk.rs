@@ -4,7 +4,7 @@ use super::actions::Action;
 use super::dialogs::{self, Dialog};
 use super::files::{self, Files};
 use super::layout::{Layout, Pane};
-use super::plots::{BlockRef, CutView, Palette, ProfileView, SolidView};
+use super::plots::{CutView, Palette, ProfileView, SolidView};
 use super::problems::ProblemsView;
 use super::program::ProgramView;
 use super::sections::SectionsView;
@@ -14,7 +14,8 @@ use super::transfer::TransferPanel;
 use super::{menus, panes, status};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::machine::Catalog;
-use crate::session::{GestureId, Session};
+use crate::proof::BlockRef;
+use crate::session::{GestureId, Hovered, Session};
 use crate::storage;
 use crate::storage::recovery::Recovered;
 use crate::transfer::{Outcome, Progress};
@@ -59,8 +60,8 @@ impl Surroundings {
 pub(crate) struct Requests {
     /// What to do.
     pub(crate) actions: Vec<Action>,
-    /// Row under the pointer.
-    pub(crate) hovered: Option<u32>,
+    /// What the pointer is on.
+    pub(crate) hovered: Option<Hovered>,
     /// Position of the pointer in the document: z and diameter.
     pub(crate) pointer: Option<(f64, f64)>,
     /// Machines, tools and materials to choose from.
@@ -283,10 +284,7 @@ impl Desk {
 
     fn finish(&mut self, ctx: &Context, requests: Requests) {
         self.pointer = requests.pointer;
-        if let Some(session) = &mut self.session
-            && session.selection.hovered != requests.hovered
-        {
-            session.selection.hovered = requests.hovered;
+        if self.session.as_mut().is_some_and(|session| session.hover(requests.hovered)) {
             ctx.request_repaint();
         }
         for complaint in &requests.complaints {

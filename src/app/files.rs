@@ -3,8 +3,8 @@
 use crate::diagnostic::Diagnostic;
 use crate::document::Document;
 use crate::machine::Catalog;
-use crate::storage::export;
 use crate::storage::recovery::{Recovered, RecoverySession, left_over};
+use crate::storage::{export, replace_file};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -14,14 +14,15 @@ use std::time::SystemTime;
 pub(crate) struct Written {
     /// The file.
     pub(crate) path: PathBuf,
-    /// The document as it was written.
-    pub(crate) document: Arc<Document>,
+    /// The document as it was written; `None` if it was a program.
+    pub(crate) document: Option<Arc<Document>>,
     /// Remarks, or the reasons why nothing was written.
     pub(crate) result: Result<Vec<Diagnostic>, Vec<Diagnostic>>,
 }
 
 enum Order {
     Write(PathBuf, Arc<Document>),
+    Text(PathBuf, Arc<str>),
     Recovery(Arc<Document>, Option<PathBuf>),
     DiscardRecovery,
     TakeOver(Box<Recovered>),
@@ -50,7 +51,12 @@ impl Files {
                     Order::Write(path, document) => {
                         let result = export::any(&document, &catalog, &path);
                         // The window may be gone; the file is written all the same.
-                        let _ = outbox.send(Written { path, document, result });
+                        let _ = outbox.send(Written { path, document: Some(document), result });
+                        notify();
+                    }
+                    Order::Text(path, text) => {
+                        let result = replace_file(&path, text.as_bytes()).map(|()| Vec::new()).map_err(|d| vec![d]);
+                        let _ = outbox.send(Written { path, document: None, result });
                         notify();
                     }
                     // A failed recovery file must not disturb the work; the next edit tries again.
@@ -76,6 +82,11 @@ impl Files {
     /// Writes `document`; the kind of file goes by the extension of `path`.
     pub(crate) fn write(&self, path: PathBuf, document: Arc<Document>) {
         let _ = self.orders.send(Order::Write(path, document));
+    }
+
+    /// Writes a text as it is.
+    pub(crate) fn write_text(&self, path: PathBuf, text: Arc<str>) {
+        let _ = self.orders.send(Order::Text(path, text));
     }
 
     /// Writes a recovery file of `document`.

@@ -77,10 +77,14 @@ fn value(ui: &mut Ui, session: &mut Session, section: &Section, row: usize, colu
             cells::set(&mut changed, column, text, unit).map(|()| changed)
         };
         let width = ui.available_width();
-        let changed = ui.push_id(section.id, |ui| field(ui, &label, &shown, width, read)).inner;
-        if let Some(changed) = changed {
+        let typed = ui.push_id(section.id, |ui| field(ui, &label, &shown, width, read)).inner;
+        if let Some(typed) = typed {
             let label = format!("{column} of {} {}", cells::kind_name(&section.kind), row + 1);
-            write(session, section, &label, |s| *s = changed);
+            typed.put_into_part(session, &label, |part, changed| {
+                if let Some(row) = part.sections.iter_mut().find(|s| s.id == changed.id) {
+                    *row = changed;
+                }
+            });
         }
     });
 }
@@ -152,8 +156,8 @@ fn of_part(ui: &mut Ui, session: &mut Session, requests: &Requests) {
     ui.horizontal(|ui| {
         form_label(ui, "Name", LABEL);
         let width = ui.available_width();
-        if let Some(name) = field(ui, "Name", &name, width, read_name) {
-            session.edit("name", None, |document| document.name = name);
+        if let Some(typed) = field(ui, "Name", &name, width, read_name) {
+            typed.put_into(session, "name", |document, name| document.name = name);
         }
     });
     ui.horizontal(|ui| {

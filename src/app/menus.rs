@@ -66,6 +66,7 @@ fn file(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) {
         if item(ui, "Export…", Some(&shortcuts::EXPORT), session.is_some()) {
             requests.actions.push(Action::AskExport);
         }
+        save_program(ui, session, requests);
         ui.separator();
         if item(ui, "Start page", None, session.is_some()) {
             requests.actions.push(Action::Close);
@@ -74,6 +75,20 @@ fn file(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) {
             requests.actions.push(Action::Quit);
         }
     });
+}
+
+/// Only a program of the document as it is now is saved.
+fn save_program(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) {
+    let program = session.and_then(Session::program);
+    let outdated = session.and_then(Session::outdated);
+    let name = program.map_or_else(|| "program".to_owned(), |p| p.name.clone());
+    let ready = program.is_some() && outdated.is_none();
+    let response = ui.add_enabled(ready, Button::new(format!("Save {name}…")));
+    let response = response.on_disabled_hover_text(outdated.unwrap_or("There is no program to save yet."));
+    if let Some(program) = program.filter(|_| response.clicked()) {
+        let (name, text) = (program.name.clone(), program.text.as_str().into());
+        requests.actions.push(Action::AskSaveProgram { name, text });
+    }
 }
 
 fn edit(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) {

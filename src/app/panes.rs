@@ -8,7 +8,8 @@ use super::transfer::{self, TransferPanel};
 use super::widgets::{link, title_row, toggle};
 use super::{inspector, problems, program};
 use crate::diagnostic::Column;
-use crate::session::Session;
+use crate::proof::BlockRef;
+use crate::session::{Hovered, Session};
 use egui::Ui;
 
 /// Shows `pane`; true if it is dragged by its title.
@@ -51,7 +52,7 @@ fn profile(ui: &mut Ui, titled: bool, session: &mut Session, views: &mut Views, 
         unit,
         machine: session.derived().and_then(|d| d.machine.as_deref()),
         selected: session.selection.section,
-        hovered: session.selection.hovered,
+        lit: &session.lit().sections,
         palette: &palette,
     };
     ui.set_opacity(if session.is_current() { 1.0 } else { STALE });
@@ -90,7 +91,7 @@ fn setup_choice(ui: &mut Ui, session: &mut Session) {
 
 fn profile_event(event: ProfileEvent, session: &mut Session, views: &mut Views, requests: &mut Requests) {
     match event {
-        ProfileEvent::HoverSection(section) => requests.hovered = requests.hovered.or(section),
+        ProfileEvent::HoverSection(id) => requests.hovered = requests.hovered.or(Some(Hovered::Section(id))),
         ProfileEvent::SelectSection(section) => session.selection.section = Some(section),
         ProfileEvent::Pointer(pointer) => requests.pointer = requests.pointer.or(pointer),
         ProfileEvent::DragNode { node, phase } => {
@@ -187,7 +188,9 @@ fn cut(ui: &mut Ui, titled: bool, session: &mut Session, views: &mut Views, requ
         unit: session.document().unit,
         machine: session.derived().and_then(|d| d.machine.as_deref()),
         form_tolerance_mm: session.part().form_tolerance * session.document().unit.in_mm(),
-        selected: session.selection.block.map(|block| plots::BlockRef { program, block }),
+        selected: session.selection.block.map(|block| BlockRef { program, block }),
+        lit_blocks: &session.lit().blocks,
+        lit_sections: &session.lit().sections,
         palette: &palette,
     };
     ui.set_opacity(if session.is_current() { 1.0 } else { STALE });
@@ -198,7 +201,8 @@ fn cut(ui: &mut Ui, titled: bool, session: &mut Session, views: &mut Views, requ
                 session.selection.block = Some(at.block);
             }
             CutEvent::Pointer(pointer) => requests.pointer = requests.pointer.or(pointer),
-            CutEvent::HoverBlock(_) | CutEvent::Scrub(_) => {}
+            CutEvent::HoverBlock(block) => requests.hovered = requests.hovered.or(Some(Hovered::Block(block))),
+            CutEvent::Scrub(_) => {}
         }
     }
     follow_slider(session, views);

@@ -1,6 +1,8 @@
 //! Small widgets that all panels share.
 
 use super::theme::{self, Colors};
+use crate::document::{Content, Document, TurnedPart};
+use crate::session::Session;
 use crate::units::{Unit, parse_length};
 use egui::{
     Align, Color32, CornerRadius, Id, Layout, Response, RichText, Sense, Stroke, TextEdit, Ui, WidgetInfo, vec2,
@@ -74,26 +76,71 @@ pub(crate) fn form_label(ui: &mut Ui, text: &str, width: f32) {
     ui.painter().text(rect.left_center(), egui::Align2::LEFT_CENTER, text, font, colors.plot.quiet);
 }
 
-/// A field for a length in `unit`: expressions are read when it is left; a bad one stays, marked, until it is put right
-/// or Escape is pressed. Gives the new length when there is one. `name` is what a screen reader says.
-pub(crate) fn length_field(ui: &mut Ui, name: &str, value: f64, unit: Unit, width: f32) -> Option<f64> {
+/// What a person does with a field.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Typed<T> {
+    /// The text is about to be changed.
+    Begun,
+    /// The text says this now.
+    Value(T),
+    /// The text says nothing now, or what it said before.
+    Nothing,
+    /// The field was left with this; a bad text stays in it, marked.
+    Left(Option<T>),
+    /// Escape was pressed.
+    GivenUp,
+}
+
+impl<T> Typed<T> {
+    /// Puts what is typed into the document at once; all typing until the field is left is one step of undo.
+    pub(crate) fn put_into(self, session: &mut Session, label: &str, change: impl FnOnce(&mut Document, T)) {
+        match self {
+            Self::Begun => session.begin_typing(),
+            Self::Value(value) => session.type_in(label, |document| change(document, value)),
+            Self::Nothing => session.take_back_typing(),
+            Self::Left(_) => session.end_typing(),
+            Self::GivenUp => session.give_up_typing(),
+        }
+    }
+
+    /// Puts what is typed into the part; see [`Self::put_into`].
+    pub(crate) fn put_into_part(self, session: &mut Session, label: &str, change: impl FnOnce(&mut TurnedPart, T)) {
+        self.put_into(session, label, |document, value| {
+            let Content::TurnedPart(part) = &mut document.content;
+            change(part, value);
+        });
+    }
+}
+
+/// A field for a length in `unit`, which may be an expression; see [`field`].
+pub(crate) fn length_field(ui: &mut Ui, name: &str, value: f64, unit: Unit, width: f32) -> Option<Typed<f64>> {
     let shown = super::plots::fixed(value, unit.decimals());
     let read = |text: &str| parse_length(text, unit);
     field(ui, name, &shown, width, read)
 }
 
-/// A field whose text is read when it is left; see [`length_field`].
+/// What a field keeps while it is edited, and afterwards if its text says nothing.
+#[derive(Debug, Clone, Default)]
+struct Kept {
+    text: String,
+    /// What it showed before.
+    before: String,
+}
+
+/// A field whose text is read while it is typed; a bad one is marked and stays until it is put right or Escape is pressed.
+/// Tells what the person does. `name` is what a screen reader says.
 pub(crate) fn field<T>(
     ui: &mut Ui,
     name: &str,
     shown: &str,
     width: f32,
     read: impl Fn(&str) -> Result<T, String>,
-) -> Option<T> {
+) -> Option<Typed<T>> {
     let id = ui.make_persistent_id(("field", name));
-    let kept: Option<String> = ui.data(|d| d.get_temp(id));
-    let error = kept.as_ref().filter(|_| !ui.memory(|m| m.has_focus(id))).and_then(|text| read(text).err());
-    let mut text = kept.unwrap_or_else(|| shown.to_owned());
+    let kept: Option<Kept> = ui.data(|d| d.get_temp(id));
+    let says = |kept: &Kept| if kept.text == kept.before { Ok(None) } else { read(&kept.text).map(Some) };
+    let error = kept.as_ref().and_then(|kept| says(kept).err());
+    let mut text = kept.as_ref().map_or_else(|| shown.to_owned(), |kept| kept.text.clone());
     let response = framed_edit(ui, id, &mut text, width, error.is_some());
     response.widget_info(|| {
         let mut info = WidgetInfo::text_edit(true, shown, &text, "");
@@ -103,25 +150,26 @@ pub(crate) fn field<T>(
     if response.gained_focus() {
         select_all(ui, id, &text);
     }
-    let escaped = ui.input(|i| i.key_pressed(egui::Key::Escape));
-    let mut result = None;
-    if response.lost_focus() {
-        let read = if escaped || text == shown { None } else { Some(read(&text)) };
-        match read {
-            Some(Ok(value)) => {
-                forget(ui, id);
-                result = Some(value);
-            }
-            Some(Err(_)) => keep(ui, id, &text),
-            None => forget(ui, id),
+    let kept = Kept { text, before: kept.map_or_else(|| shown.to_owned(), |kept| kept.before) };
+    let typed = if response.lost_focus() {
+        let escaped = ui.input(|i| i.key_pressed(egui::Key::Escape));
+        let said = says(&kept);
+        if escaped || said.is_ok() {
+            ui.data_mut(|d| d.remove::<Kept>(id));
         }
-    } else if response.has_focus() {
-        keep(ui, id, &text);
+        Some(if escaped { Typed::GivenUp } else { Typed::Left(said.ok().flatten()) })
+    } else if response.changed() {
+        Some(says(&kept).ok().flatten().map_or(Typed::Nothing, Typed::Value))
+    } else {
+        response.gained_focus().then_some(Typed::Begun)
+    };
+    if response.has_focus() {
+        ui.data_mut(|d| d.insert_temp(id, kept));
     }
     if let Some(error) = error {
         response.on_hover_text(error);
     }
-    result
+    typed
 }
 
 fn framed_edit(ui: &mut Ui, id: Id, text: &mut String, width: f32, wrong: bool) -> Response {
@@ -152,14 +200,6 @@ pub(crate) fn select_all(ui: &Ui, id: Id, text: &str) {
     let end = egui::text::CCursor::new(text.chars().count());
     state.cursor.set_char_range(Some(egui::text::CCursorRange::two(egui::text::CCursor::new(0), end)));
     TextEdit::store_state(ui.ctx(), id, state);
-}
-
-fn keep(ui: &Ui, id: Id, text: &str) {
-    ui.data_mut(|d| d.insert_temp(id, text.to_owned()));
-}
-
-fn forget(ui: &Ui, id: Id) {
-    ui.data_mut(|d| d.remove::<String>(id));
 }
 
 /// A list of choices behind a button with the present one on it. Gives the new choice when there is one.

@@ -206,7 +206,7 @@ mod tests {
         let sections = vec![1, 2];
         Form::new(&Work {
             stock: Contour::default(),
-            target: Target { contour, sections, machined_from_z: -20.0 },
+            target: Target { contour, sections, names: std::collections::BTreeMap::new(), machined_from_z: -20.0 },
             program_zero_z: 0.0,
             chuck_face_z: -30.0,
             form_tolerance_mm: 0.05,

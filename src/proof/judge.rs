@@ -133,9 +133,9 @@ impl<'a> Judge<'a> {
         let limit = self.work.form_tolerance_mm;
         for l in left.iter().filter(|l| l.largest_mm > limit) {
             let message = format!(
-                "{:.3} mm are left on the section with id {} at {}, {:.3} mm in the mean; {limit:.3} mm is allowed.",
+                "{:.3} mm are left{} at {}, {:.3} mm in the mean; {limit:.3} mm is allowed.",
                 l.largest_mm,
-                l.section,
+                self.work.target.names.get(&l.section).map(|name| format!(" on {name}")).unwrap_or_default(),
                 self.shown(l.at),
                 l.mean_mm
             );

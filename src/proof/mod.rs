@@ -9,6 +9,7 @@
 mod compare;
 mod control;
 mod cut;
+mod cut_by;
 mod findings;
 mod form;
 mod input;
@@ -24,11 +25,13 @@ mod step;
 mod structure;
 
 pub use compare::{Change, compare};
+pub use cut_by::CutBy;
 pub use input::{MayCut, ProofInput, Work};
 pub use json::{path_json, proof_json};
 pub use prove::prove;
 pub use report::{
-    BlockReport, Finding, FindingKind, Leftover, Motion, Move, ProgramText, ProofReport, StockState, Target, Times,
+    BlockRef, BlockReport, Finding, FindingKind, Leftover, Motion, Move, ProgramText, ProofReport, StockState, Target,
+    Times,
 };
 
 #[cfg(test)]

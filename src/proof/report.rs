@@ -3,6 +3,7 @@
 use crate::diagnostic::Severity;
 use crate::geometry::{Contour, Point, Segment};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// The proof of the programs of one set-up, in the order they are run on the same stock.
@@ -178,6 +179,23 @@ pub struct Move {
     pub stock_after: usize,
 }
 
+/// A block of one of the programs of a proof.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct BlockRef {
+    /// Program by index in the order of the proof.
+    pub program: usize,
+    /// Block from 1.
+    pub block: usize,
+}
+
+impl BlockRef {
+    /// The block that a move belongs to.
+    #[must_use]
+    pub const fn of(m: &Move) -> Self {
+        Self { program: m.program, block: m.block }
+    }
+}
+
 /// The stock at one moment: closed polygons in part space, outer ones counter-clockwise, holes clockwise.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct StockState {
@@ -192,6 +210,8 @@ pub struct Target {
     pub contour: Contour,
     /// Row id of each segment of `contour`.
     pub sections: Vec<u32>,
+    /// What people call a section, by row id: `line 3`.
+    pub names: BTreeMap<u32, String>,
     /// Part of the contour that this set-up machines: z from here up.
     pub machined_from_z: f64,
 }

@@ -186,7 +186,7 @@ fn prove_setup(
         machine: Arc::clone(machine),
         tools: Arc::clone(tools),
         programs: Arc::clone(&programs),
-        work: Some(work_of(setup, contour, &path, part_mm.form_tolerance)),
+        work: Some(work_of(part_mm, setup, contour, &path, part_mm.form_tolerance)),
     };
     let proof = stages.proof.try_get(input, |input| proof::prove(input, cancel))?;
     Ok(Proved { path, said, post, programs, proof })
@@ -234,16 +234,17 @@ pub fn proof_input(derived: &Derived, item: &SetupDerived) -> Option<ProofInput>
         machine: Arc::clone(derived.machine.as_ref()?),
         tools: Arc::clone(&item.tools),
         programs: Arc::clone(&item.programs),
-        work: Some(work_of(&item.setup, &item.contour, &item.path, form_tolerance_mm)),
+        work: Some(work_of(part, &item.setup, &item.contour, &item.path, form_tolerance_mm)),
     })
 }
 
-fn work_of(setup: &Setup, contour: &PartContour, path: &CutterPath, form_tolerance_mm: f64) -> Work {
+fn work_of(part: &TurnedPart, setup: &Setup, contour: &PartContour, path: &CutterPath, form_tolerance_mm: f64) -> Work {
     Work {
         stock: setup.stock.clone(),
         target: Target {
             contour: contour.contour.clone(),
             sections: contour.sections.clone(),
+            names: section_names(part),
             machined_from_z: setup.machined_from_z,
         },
         program_zero_z: path.program_zero_z,
@@ -251,6 +252,11 @@ fn work_of(setup: &Setup, contour: &PartContour, path: &CutterPath, form_toleran
         form_tolerance_mm,
         may_cut: may_cut(setup),
     }
+}
+
+/// What a row is called in a message: its type and its number in the table, `line 3`.
+fn section_names(part: &TurnedPart) -> BTreeMap<u32, String> {
+    (1..).zip(&part.sections).map(|(row, s)| (s.id, format!("{} {row}", s.kind.name()))).collect()
 }
 
 /// Threads go below the contour by design, with their run-in and run-out, and so does the parting-off.

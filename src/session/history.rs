@@ -43,6 +43,15 @@ impl History {
         self.done.push_back(Step { label: label.to_owned(), document: before });
     }
 
+    /// The document before the gesture, which leaves no trace; `None` if it is not the last step.
+    pub fn abandon(&mut self, gesture: GestureId) -> Option<Arc<Document>> {
+        if self.gesture != Some(gesture) {
+            return None;
+        }
+        self.gesture = None;
+        self.done.pop_back().map(|step| step.document)
+    }
+
     /// The document before the last step, in exchange for the present one.
     pub fn undo(&mut self, present: Arc<Document>) -> Option<Arc<Document>> {
         let step = self.done.pop_back()?;

@@ -1,6 +1,7 @@
 //! One open document: its undo history, what follows from it, what is selected, and whether it is saved.
 
 mod history;
+mod light;
 
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::document::{Content, Document, TurnedPart};
@@ -8,17 +9,17 @@ use crate::proof::{Finding, FindingKind, ProgramText, ProofReport};
 use crate::regen::{Derived, SetupDerived};
 use crate::worker::{Outcome, Regenerate, Worker};
 pub use history::{GestureId, History};
+use light::Light;
+pub use light::{Hovered, Lit};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-/// What is selected, and what the pointer is on, everywhere in the window at once.
+/// What is selected everywhere in the window at once.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Selection {
     /// Row of the section table, by id.
     pub section: Option<u32>,
-    /// Row under the pointer, in the table or in a plot.
-    pub hovered: Option<u32>,
     /// Clamping shown, by index.
     pub setup: usize,
     /// Program shown, by index among the programs of the clamping.
@@ -70,11 +71,19 @@ pub enum Origin {
     Recovered(Option<PathBuf>),
 }
 
+/// A value that is being typed.
+#[derive(Debug, Clone)]
+struct Typing {
+    gesture: GestureId,
+    before: Arc<Document>,
+}
+
 /// One open document.
 pub struct Session {
     document: Arc<Document>,
     history: History,
     gestures: u64,
+    typing: Option<Typing>,
     saved: Option<Arc<Document>>,
     path: Option<PathBuf>,
     recovered: bool,
@@ -84,6 +93,7 @@ pub struct Session {
     took: Duration,
     fault: Option<(Arc<Document>, String)>,
     problems: Arc<Vec<Diagnostic>>,
+    light: Light,
     /// What is selected.
     pub selection: Selection,
 }
@@ -107,6 +117,7 @@ impl Session {
             document,
             history: History::default(),
             gestures: 0,
+            typing: None,
             path: match origin {
                 Origin::File(path) => Some(path),
                 Origin::Recovered(path) => path,
@@ -118,6 +129,7 @@ impl Session {
             took: Duration::ZERO,
             fault: None,
             problems: Arc::default(),
+            light: Light::default(),
             selection: Selection::default(),
         }
     }
@@ -143,6 +155,11 @@ impl Session {
 
     /// Changes the document. An edit that changes nothing leaves no trace; edits of one gesture are one step of undo.
     pub fn edit(&mut self, label: &str, gesture: Option<GestureId>, change: impl FnOnce(&mut Document)) {
+        self.typing = None;
+        self.put_in(label, gesture, change);
+    }
+
+    fn put_in(&mut self, label: &str, gesture: Option<GestureId>, change: impl FnOnce(&mut Document)) {
         let mut edited = (*self.document).clone();
         change(&mut edited);
         if edited == *self.document {
@@ -161,8 +178,51 @@ impl Session {
         });
     }
 
+    /// Begins to type a value: what is typed from here on is one step of undo.
+    pub fn begin_typing(&mut self) {
+        self.typing = Some(Typing { gesture: self.new_gesture(), before: Arc::clone(&self.document) });
+    }
+
+    /// Puts what has been typed so far into the document as it was before the typing, so that nothing is left of a shorter
+    /// text.
+    pub fn type_in(&mut self, label: &str, change: impl FnOnce(&mut Document)) {
+        if self.typing.is_none() {
+            self.begin_typing();
+        }
+        let Some(Typing { gesture, before }) = self.typing.clone() else { return };
+        let mut typed = (*before).clone();
+        change(&mut typed);
+        if typed == *before {
+            self.take_back_typing();
+        } else {
+            self.put_in(label, Some(gesture), |document| *document = typed);
+        }
+    }
+
+    /// Puts the value before the typing back, as when the text is none; the typing goes on.
+    pub fn take_back_typing(&mut self) {
+        if let Some(Typing { gesture, .. }) = self.typing
+            && let Some(before) = self.history.abandon(gesture)
+        {
+            self.document = before;
+            self.changed();
+        }
+    }
+
+    /// Ends the typing; what was typed stays.
+    pub fn end_typing(&mut self) {
+        self.typing = None;
+    }
+
+    /// Ends the typing and puts the value before it back.
+    pub fn give_up_typing(&mut self) {
+        self.take_back_typing();
+        self.end_typing();
+    }
+
     /// Takes back the last step.
     pub fn undo(&mut self) {
+        self.typing = None;
         if let Some(before) = self.history.undo(Arc::clone(&self.document)) {
             self.document = before;
             self.changed();
@@ -171,6 +231,7 @@ impl Session {
 
     /// Does again what was undone last.
     pub fn redo(&mut self) {
+        self.typing = None;
         if let Some(after) = self.history.redo(Arc::clone(&self.document)) {
             self.document = after;
             self.changed();
@@ -208,6 +269,7 @@ impl Session {
         if some {
             self.problems = Arc::new(self.collect_problems());
             self.keep_selection_in_range();
+            self.light.forget();
         }
         some
     }
@@ -237,6 +299,17 @@ impl Session {
         self.setup()?.programs.get(self.selection.program)
     }
 
+    /// Lights up what belongs to `hovered`: the row or block under the pointer. True if something else is lit now.
+    pub fn hover(&mut self, hovered: Option<Hovered>) -> bool {
+        self.light.turn_to(hovered, self.derived.as_deref(), self.selection.setup)
+    }
+
+    /// The sections and blocks that belong to what the pointer is on.
+    #[must_use]
+    pub const fn lit(&self) -> &Lit {
+        self.light.lit()
+    }
+
     /// Selects a block of a program by name, in whatever clamping it is.
     pub fn select_block(&mut self, program: &str, block: usize) {
         let Some(derived) = &self.derived else { return };
@@ -251,6 +324,18 @@ impl Session {
     #[must_use]
     pub fn is_current(&self) -> bool {
         self.derived.as_ref().is_some_and(|d| Arc::ptr_eq(&d.document, &self.document))
+    }
+
+    /// Why what follows from the document must not leave the window yet: it belongs to an older one. `None` if it may.
+    #[must_use]
+    pub fn outdated(&self) -> Option<&'static str> {
+        match &self.fault {
+            _ if self.is_current() => None,
+            Some((document, _)) if Arc::ptr_eq(document, &self.document) => {
+                Some("The program of the document as it is now could not be made. Undo the last edit first.")
+            }
+            _ => Some("The program is being made anew from the last edit."),
+        }
     }
 
     /// How long the last regeneration took.

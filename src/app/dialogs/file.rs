@@ -5,10 +5,11 @@ use crate::app::theme::{self, Colors};
 use crate::app::widgets::primary_button;
 use egui::{Key, TextEdit, Ui};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 /// What the file is for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Purpose {
     /// Open a document or import a part.
     Open,
@@ -16,38 +17,50 @@ pub(crate) enum Purpose {
     SaveAs,
     /// Write the part as another kind of file.
     Export,
+    /// Save this text, which is a program.
+    Program(Arc<str>),
 }
 
 impl Purpose {
-    const fn title(self) -> &'static str {
+    const fn title(&self) -> &'static str {
         match self {
             Self::Open => "Open or import a part",
             Self::SaveAs => "Save as",
             Self::Export => "Export",
+            Self::Program(_) => "Save the program",
         }
     }
 
-    const fn remark(self) -> &'static str {
+    const fn remark(&self) -> &'static str {
         match self {
             Self::Open => "Documents (.turn), ORACAP parts (.CAD), profiles (.dxf), section tables (.tsv).",
             Self::SaveAs => "A document ends in .turn.",
             Self::Export => "The kind goes by the ending: .CAD, .dxf, .svg, .csv or .tsv.",
+            Self::Program(_) => "The pages with their control characters, as they go over the line.",
         }
     }
 
-    const fn verb(self) -> &'static str {
+    const fn verb(&self) -> &'static str {
         match self {
             Self::Open => "Open",
-            Self::SaveAs => "Save",
+            Self::SaveAs | Self::Program(_) => "Save",
             Self::Export => "Export",
         }
     }
 
-    const fn endings(self) -> &'static [&'static str] {
+    const fn kind(&self) -> &'static str {
+        match self {
+            Self::Program(_) => "Programs",
+            Self::Open | Self::SaveAs | Self::Export => "Parts",
+        }
+    }
+
+    const fn endings(&self) -> &'static [&'static str] {
         match self {
             Self::Open => &["turn", "cad", "CAD", "dxf", "DXF", "tsv"],
             Self::SaveAs => &["turn"],
             Self::Export => &["CAD", "dxf", "svg", "csv", "tsv"],
+            Self::Program(_) => &["cnc", "CNC", "txt"],
         }
     }
 }
@@ -73,9 +86,10 @@ impl FileDialog {
     /// Opens the system's dialog on a thread of its own, because it returns only when it is closed.
     fn browse(&mut self, ctx: &egui::Context) {
         let (sender, receiver) = channel();
-        let (purpose, start, ctx) = (self.purpose, PathBuf::from(&self.path), ctx.clone());
+        let (purpose, start, ctx) = (self.purpose.clone(), PathBuf::from(&self.path), ctx.clone());
         std::thread::spawn(move || {
-            let mut dialog = rfd::FileDialog::new().set_title(purpose.title()).add_filter("Parts", purpose.endings());
+            let mut dialog =
+                rfd::FileDialog::new().set_title(purpose.title()).add_filter(purpose.kind(), purpose.endings());
             if let Some(folder) = start.parent().filter(|p| p.is_dir()) {
                 dialog = dialog.set_directory(folder);
             }
@@ -143,10 +157,11 @@ impl FileDialog {
         if path.as_os_str().is_empty() {
             return false;
         }
-        actions.push(match self.purpose {
+        actions.push(match &self.purpose {
             Purpose::Open => Action::Open(path),
             Purpose::SaveAs => Action::WriteTo(with_ending(path, "turn")),
             Purpose::Export => Action::WriteTo(path),
+            Purpose::Program(text) => Action::WriteText(path, Arc::clone(text)),
         });
         true
     }

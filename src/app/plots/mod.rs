@@ -18,7 +18,7 @@ mod tip;
 
 pub use canvas::CanvasView;
 pub use coordinates::{Coordinates, fixed};
-pub use cut::{BlockRef, CutEvent, CutScene, CutView, clock, cut_plot};
+pub use cut::{CutEvent, CutScene, CutView, clock, cut_plot};
 pub use palette::{LeftoverClass, Palette};
 pub use profile::{Dimension, End, NodeMove, Phase, ProfileEvent, ProfileScene, ProfileView, SectionEnd, profile_plot};
 pub use solid::{SolidScene, SolidView, solid_view};

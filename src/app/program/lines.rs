@@ -5,7 +5,7 @@ use crate::post::orac::{self, Instruction, PAGE_START};
 use crate::proof::ProgramText;
 use crate::transfer::log::visible;
 use egui::text::{LayoutJob, TextFormat};
-use egui::{Align2, Color32, FontId, Rect, Sense, Ui, vec2};
+use egui::{Align2, Color32, FontId, Rect, Response, Sense, Ui, vec2};
 
 /// Height of a line, points.
 const LINE: f32 = 19.0;
@@ -20,6 +20,27 @@ pub(super) struct Lines {
     all_readable: bool,
     /// Every line of the text with the block that it belongs to.
     text: Vec<(String, usize)>,
+}
+
+/// How the lines are shown.
+pub(super) struct Shown<'a> {
+    /// Every character, not one line an instruction.
+    pub(super) exact: bool,
+    /// The current block.
+    pub(super) current: Option<usize>,
+    /// Blocks that belong to what the pointer is on.
+    pub(super) lit: &'a [usize],
+    /// Words that are looked for.
+    pub(super) search: &'a str,
+}
+
+/// The blocks that the pointer is on and has clicked.
+#[derive(Default)]
+pub(super) struct Pointed {
+    /// Under the pointer.
+    pub(super) hovered: Option<usize>,
+    /// Just clicked.
+    pub(super) clicked: Option<usize>,
 }
 
 impl Lines {
@@ -64,41 +85,35 @@ impl Lines {
         found.iter().find(|block| **block > after).or(found.first()).copied()
     }
 
-    /// Shows the lines, scrolled to the block `reveal`; a block that was clicked.
-    pub(super) fn show(
-        &self,
-        ui: &mut Ui,
-        exact: bool,
-        current: Option<usize>,
-        reveal: Option<usize>,
-        search: &str,
-    ) -> Option<usize> {
+    /// Shows the lines, scrolled to the block `reveal`; what the pointer does with them.
+    pub(super) fn show(&self, ui: &mut Ui, shown: &Shown<'_>, reveal: Option<usize>) -> Pointed {
+        let exact = shown.exact;
         let count = if exact { self.text.len() } else { self.instructions.len() };
         let mut area = egui::ScrollArea::vertical().id_salt("program").auto_shrink([false, false]);
         if let Some(line) = reveal.and_then(|block| self.line_of(block, exact)) {
             area = area.vertical_scroll_offset((line as f32 * LINE - ui.available_height() / 2.0 + LINE).max(0.0));
         }
         ui.spacing_mut().item_spacing.y = 0.0;
-        let mut clicked = None;
+        let mut pointed = Pointed::default();
         area.show_rows(ui, LINE, count, |ui, rows| {
             for index in rows {
                 let block = if exact { self.text.get(index).map_or(0, |(_, b)| *b) } else { index + 1 };
-                if self.line(ui, index, exact, current == Some(block) && block > 0, search) && block > 0 {
-                    clicked = Some(block);
-                }
+                let response = self.line(ui, index, block, shown);
+                pointed.hovered = pointed.hovered.or((block > 0 && response.hovered()).then_some(block));
+                pointed.clicked = pointed.clicked.or((block > 0 && response.clicked()).then_some(block));
             }
         });
-        clicked
+        pointed
     }
 
     fn line_of(&self, block: usize, exact: bool) -> Option<usize> {
         if exact { self.text.iter().position(|(_, b)| *b == block) } else { block.checked_sub(1) }
     }
 
-    fn line(&self, ui: &mut Ui, index: usize, exact: bool, current: bool, search: &str) -> bool {
+    fn line(&self, ui: &mut Ui, index: usize, block: usize, shown: &Shown<'_>) -> Response {
         let colors = Colors::of(ui.visuals());
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::click());
-        let job = match (exact, self.instructions.get(index), self.text.get(index)) {
+        let job = match (shown.exact, self.instructions.get(index), self.text.get(index)) {
             (false, Some(instruction), _) => instruction_job(instruction, colors),
             (true, _, Some((line, _))) => text_job(line, colors),
             _ => LayoutJob::default(),
@@ -110,13 +125,21 @@ impl Lines {
                 format!("Line {}: {}", index + 1, job.text.trim_end()),
             )
         });
-        let found = !search.trim().is_empty() && job.text.to_lowercase().contains(&search.trim().to_lowercase());
-        if current {
-            ui.painter().rect_filled(rect, 2.0, colors.current);
+        let search = shown.search.trim().to_lowercase();
+        let found = !search.is_empty() && job.text.to_lowercase().contains(&search);
+        let lit = block > 0 && shown.lit.contains(&block);
+        let mark = |color| {
             let mark = Rect::from_min_size(rect.min, vec2(3.0, rect.height()));
-            ui.painter().rect_filled(mark, 0.0, colors.plot.unreachable);
-        } else if response.hovered() || found {
-            ui.painter().rect_filled(rect, 2.0, if found { colors.selected } else { colors.hovered });
+            ui.painter().rect_filled(mark, 0.0, color);
+        };
+        if block > 0 && shown.current == Some(block) {
+            ui.painter().rect_filled(rect, 2.0, colors.current);
+            mark(colors.plot.unreachable);
+        } else if lit || found || response.hovered() {
+            ui.painter().rect_filled(rect, 2.0, if lit || found { colors.selected } else { colors.hovered });
+        }
+        if lit {
+            mark(colors.plot.accent);
         }
         let number = egui::pos2(rect.left() + NUMBERS - 12.0, rect.center().y);
         let font = FontId::monospace(theme::CODE - 0.5);
@@ -124,7 +147,7 @@ impl Lines {
         let galley = ui.painter().layout_job(job);
         let at = egui::pos2(rect.left() + NUMBERS, rect.center().y - galley.size().y / 2.0);
         ui.painter_at(rect).galley(at, galley, colors.plot.text);
-        response.clicked()
+        response
     }
 }
 

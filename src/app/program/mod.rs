@@ -8,11 +8,11 @@ use super::actions::Action;
 use super::desk::Requests;
 use super::theme::{self, Colors};
 use super::widgets::{link, title_row, toggle};
-use crate::proof::ProgramText;
-use crate::session::{GestureId, Session};
+use crate::proof::{BlockRef, ProgramText};
+use crate::session::{GestureId, Hovered, Session};
 use egui::{RichText, Ui};
 use entry::EntryView;
-use lines::Lines;
+use lines::{Lines, Shown};
 
 /// How the text is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -57,19 +57,30 @@ pub(crate) fn show(
         return dragged;
     };
     view.lines.follow(&program);
+    // A text made by hand is part of the document; a generated one must be the present one before it is edited.
+    let outdated = session.outdated().filter(|_| !session.part().overrides.contains_key(&program.name));
     if view.mode == Mode::Edit {
-        by_hand::show(ui, &mut view.gesture, session, &program);
+        match outdated {
+            Some(reason) => _ = ui.label(theme::quiet(reason, Colors::of(ui.visuals()))),
+            None => by_hand::show(ui, &mut view.gesture, session, &program),
+        }
         return dragged;
     }
     if let Some(entry) = &mut view.entry
-        && entry::show(ui, entry, session, &program)
+        && ui.add_enabled_ui(outdated.is_none(), |ui| entry::show(ui, entry, session, &program)).inner
     {
         view.entry = None;
     }
     let reveal = (view.shown_block != session.selection.block).then_some(session.selection.block).flatten();
     view.shown_block = session.selection.block;
     let exact = view.mode == Mode::Text || !view.lines.are_all_readable();
-    if let Some(block) = view.lines.show(ui, exact, session.selection.block, reveal, &view.search) {
+    let program = session.selection.program;
+    let lit: Vec<usize> = session.lit().blocks.iter().filter(|b| b.program == program).map(|b| b.block).collect();
+    let shown = Shown { exact, current: session.selection.block, lit: &lit, search: &view.search };
+    let pointed = view.lines.show(ui, &shown, reveal);
+    let hovered = pointed.hovered.map(|block| Hovered::Block(BlockRef { program, block }));
+    requests.hovered = requests.hovered.or(hovered);
+    if let Some(block) = pointed.clicked {
         session.selection.block = Some(block);
         view.shown_block = Some(block);
         requests.actions.push(Action::ShowBlock);

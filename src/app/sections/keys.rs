@@ -1,8 +1,9 @@
 //! What keyboard and clipboard do to the section table.
 
-use super::{Cursor, SectionsView, cells, rows, tsv};
+use super::{Cursor, Editing, SectionsView, cells, rows, tsv};
 use crate::app::desk::Requests;
 use crate::diagnostic::Column;
+use crate::document::Content;
 use crate::part::Section;
 use crate::session::Session;
 use egui::{Event, Key, Modifiers, Ui};
@@ -19,7 +20,7 @@ pub(crate) fn handle(
         match event {
             // The cell was opened earlier in this frame: what follows in it belongs to the cell.
             Event::Text(text) if view.editing.is_some() => {
-                view.editing.get_or_insert_default().push_str(&text);
+                view.editing.get_or_insert_default().text.push_str(&text);
             }
             Event::Key { key: Key::Enter | Key::Tab, pressed: true, modifiers, .. } if view.editing.is_some() => {
                 commit(view, session, columns);
@@ -41,6 +42,7 @@ pub(crate) fn handle(
             _ => {}
         }
     }
+    tell(view, session, columns);
 }
 
 fn key_press(view: &mut SectionsView, session: &mut Session, columns: &[Column], key: Key, modifiers: Modifiers) {
@@ -106,35 +108,78 @@ pub(crate) fn place(view: &mut SectionsView, session: &mut Session, row: usize, 
 }
 
 /// Opens the cell under the cursor with `text`, or with what is in it.
-pub(crate) fn begin_edit(view: &mut SectionsView, session: &Session, columns: &[Column], text: Option<String>) {
+pub(crate) fn begin_edit(view: &mut SectionsView, session: &mut Session, columns: &[Column], text: Option<String>) {
     let cell = session.part().sections.get(view.cursor.row).zip(columns.get(view.cursor.column));
     let Some((section, column)) = cell else { return };
     if *column != Column::Kind && cells::get(section, *column).is_none() {
         return;
     }
     let kept = view.bad.get(&(section.id, view.cursor.column)).map(|(text, _)| text.clone());
-    view.editing = Some(text.or(kept).unwrap_or_else(|| cells::text(section, *column, session.document().unit)));
+    let before = cells::text(section, *column, session.document().unit);
+    let text = text.or(kept).unwrap_or_else(|| before.clone());
+    view.editing = Some(Editing { text, told: before.clone(), before, wrong: None });
+    session.begin_typing();
 }
 
-/// Writes the edited text into its cell; one that does not fit stays there, marked.
-pub(crate) fn commit(view: &mut SectionsView, session: &mut Session, columns: &[Column]) {
-    let Some(text) = view.editing.take() else { return };
-    let cell = session.part().sections.get(view.cursor.row).cloned().zip(columns.get(view.cursor.column).copied());
-    let Some((mut section, column)) = cell else { return };
-    let key = (section.id, view.cursor.column);
-    let unit = session.document().unit;
-    view.bad.remove(&key);
-    if text == cells::text(&section, column, unit) {
-        return;
+/// Puts the text of the edited cell into the document as far as it is typed. A type takes effect only when the cell is
+/// left, because every letter of its name would make another one.
+pub(crate) fn tell(view: &mut SectionsView, session: &mut Session, columns: &[Column]) {
+    let (row, index) = (view.cursor.row, view.cursor.column);
+    let Some(editing) = view.editing.as_mut().filter(|e| e.text != e.told) else { return };
+    editing.told.clone_from(&editing.text);
+    editing.wrong = None;
+    let cell = session.part().sections.get(row).cloned().zip(columns.get(index).copied());
+    let Some((mut section, column)) = cell.filter(|(_, column)| *column != Column::Kind) else { return };
+    if editing.text == editing.before {
+        return session.take_back_typing();
     }
-    match cells::set(&mut section, column, &text, unit) {
-        Ok(()) => {
-            let label = format!("{column} of {} {}", cells::kind_name(&section.kind), view.cursor.row + 1);
-            replace(session, &label, section);
-        }
+    match cells::set(&mut section, column, &editing.text, session.document().unit) {
+        Ok(()) => type_row(session, row, column, section),
         Err(reason) => {
-            view.bad.insert(key, (text, reason));
+            editing.wrong = Some(reason);
+            session.take_back_typing();
         }
+    }
+}
+
+fn type_row(session: &mut Session, row: usize, column: Column, section: Section) {
+    let label = format!("{column} of {} {}", cells::kind_name(&section.kind), row + 1);
+    session.type_in(&label, |document| {
+        let Content::TurnedPart(part) = &mut document.content;
+        if let Some(old) = part.sections.iter_mut().find(|s| s.id == section.id) {
+            *old = section;
+        }
+    });
+}
+
+/// Ends the editing of a cell; a text that does not fit stays there, marked, and the value is the one before.
+pub(crate) fn commit(view: &mut SectionsView, session: &mut Session, columns: &[Column]) {
+    tell(view, session, columns);
+    let Some(editing) = view.editing.take() else { return };
+    let cell = session.part().sections.get(view.cursor.row).cloned().zip(columns.get(view.cursor.column).copied());
+    if let Some((mut section, column)) = cell {
+        let key = (section.id, view.cursor.column);
+        view.bad.remove(&key);
+        let mut wrong = editing.wrong;
+        if column == Column::Kind && editing.text != editing.before {
+            match cells::set(&mut section, column, &editing.text, session.document().unit) {
+                Ok(()) => type_row(session, view.cursor.row, column, section),
+                Err(reason) => wrong = Some(reason),
+            }
+        }
+        if let Some(reason) = wrong {
+            view.bad.insert(key, (editing.text, reason));
+        }
+    }
+    session.end_typing();
+}
+
+/// Ends the editing of a cell; everything is as before.
+pub(crate) fn give_up(view: &mut SectionsView, session: &mut Session) {
+    view.editing = None;
+    session.give_up_typing();
+    if let Some(section) = session.part().sections.get(view.cursor.row) {
+        view.bad.remove(&(section.id, view.cursor.column));
     }
 }
 

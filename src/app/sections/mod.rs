@@ -26,14 +26,26 @@ const LEAST: f32 = 140.0;
 #[derive(Debug, Default)]
 pub(crate) struct SectionsView {
     cursor: Cursor,
-    /// Text of the cell that is being edited.
-    editing: Option<String>,
+    /// The cell under the cursor is being edited.
+    editing: Option<Editing>,
     /// Texts that did not fit their cell, with the reason, by row id and column number.
     bad: BTreeMap<(u32, usize), (String, String)>,
     /// Scroll so that the cursor is seen.
     reveal: bool,
     /// Give the keyboard to the table.
     take_focus: bool,
+}
+
+/// What is typed into a cell.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+struct Editing {
+    text: String,
+    /// What the cell showed before.
+    before: String,
+    /// The text that the document has been told of.
+    told: String,
+    /// Why the text does not fit the cell.
+    wrong: Option<String>,
 }
 
 /// The cell with the frame, and the other end of a selection of rows.

@@ -68,8 +68,8 @@ impl Grid {
         write: impl FnOnce(&mut TurnedPart, f64),
     ) {
         form_label(ui, label, self.label);
-        if let Some(value) = length_field(ui, label, value, unit, self.field) {
-            session.edit_part(name, None, |part| write(part, value));
+        if let Some(typed) = length_field(ui, label, value, unit, self.field) {
+            typed.put_into_part(session, name, write);
         }
     }
 
@@ -105,8 +105,8 @@ impl Grid {
             "" | "found" => Ok(None),
             text => crate::units::parse_length(text, unit).map(Some),
         };
-        if let Some(split) = crate::app::widgets::field(ui, "Split at", &shown, self.field, read) {
-            session.edit_part("split", None, |part| part.ends = Ends::Two { split });
+        if let Some(typed) = crate::app::widgets::field(ui, "Split at", &shown, self.field, read) {
+            typed.put_into_part(session, "split", |part, split| part.ends = Ends::Two { split });
         }
     }
 
@@ -160,8 +160,10 @@ impl Grid {
         if let ParabolaCut::Arcs { tolerance } = parabolas {
             Self::row(ui, |ui| {
                 form_label(ui, "Arcs within", self.label);
-                if let Some(tolerance) = length_field(ui, "Arcs within", tolerance, unit, self.field) {
-                    set(session, "arc tolerance", ParabolaCut::Arcs { tolerance }, optimize);
+                if let Some(typed) = length_field(ui, "Arcs within", tolerance, unit, self.field) {
+                    typed.put_into_part(session, "arc tolerance", |part, tolerance| {
+                        part.generator = Generator::Oracap { parabolas: ParabolaCut::Arcs { tolerance }, optimize };
+                    });
                 }
             });
         }

@@ -1,11 +1,11 @@
 //! The section table: rows, cells, the cursor and the cell that is being edited.
 
-use super::{Cursor, SectionsView, cells, icon, keys};
+use super::{Cursor, Editing, SectionsView, cells, icon, keys};
 use crate::app::desk::Requests;
 use crate::app::theme::{self, Colors};
 use crate::diagnostic::{Column, Place, Severity};
 use crate::part::Section;
-use crate::session::Session;
+use crate::session::{Hovered, Session};
 use egui::{Align2, EventFilter, FontId, Id, Key, Modifiers, Rect, Response, Sense, Stroke, StrokeKind, Ui, vec2};
 
 /// Width of the row numbers, points.
@@ -145,7 +145,7 @@ impl Frame<'_> {
     ) {
         let Some(section) = session.part().sections.get(row).cloned() else { return };
         if ui.rect_contains_pointer(rect) {
-            requests.hovered = Some(section.id);
+            requests.hovered = Some(Hovered::Section(section.id));
         }
         self.paint_row(ui, rect, row, &section, view, session);
         let number = Rect::from_min_max(rect.min, egui::pos2(rect.left() + NUMBERS, rect.bottom()));
@@ -167,7 +167,7 @@ impl Frame<'_> {
         let in_range = view.cursor.rows().count() > 1 && view.cursor.rows().contains(&row);
         if selected || in_range {
             painter.rect_filled(rect, 0.0, self.colors.selected);
-        } else if session.selection.hovered == Some(section.id) {
+        } else if session.lit().sections.contains(&section.id) {
             painter.rect_filled(rect, 0.0, self.colors.hovered);
         }
         if selected {
@@ -258,13 +258,13 @@ impl Frame<'_> {
     }
 
     fn edit(&self, ui: &mut Ui, rect: Rect, column: Column, view: &mut SectionsView, session: &mut Session) {
-        let Some(mut text) = view.editing.clone() else { return };
+        let Some(Editing { mut text, wrong, .. }) = view.editing.clone() else { return };
         let id = self.id.with("edit");
         let fresh = !ui.memory(|m| m.has_focus(id));
         let align = if column == Column::Kind { Align2::LEFT_CENTER } else { Align2::RIGHT_CENTER };
         let frame = egui::Frame::new()
-            .fill(self.colors.panel)
-            .stroke(Stroke::new(1.5, self.colors.plot.accent))
+            .fill(if wrong.is_some() { self.colors.wrong_field } else { self.colors.panel })
+            .stroke(Stroke::new(1.5, if wrong.is_some() { self.colors.plot.wrong } else { self.colors.plot.accent }))
             .corner_radius(3)
             .inner_margin(egui::Margin::symmetric(5, 4));
         let filter = EventFilter { tab: true, horizontal_arrows: true, vertical_arrows: true, escape: true };
@@ -284,9 +284,17 @@ impl Frame<'_> {
             response.request_focus();
             put_cursor_at_end(ui, id, &text);
         }
-        view.editing = Some(text);
-        if response.lost_focus() {
+        if let Some(editing) = &mut view.editing {
+            editing.text = text;
+        }
+        let lost_focus = response.lost_focus();
+        if let Some(reason) = wrong {
+            response.on_hover_text(reason);
+        }
+        if lost_focus {
             keys::commit(view, session, self.columns);
+        } else {
+            keys::tell(view, session, self.columns);
         }
     }
 }
@@ -303,10 +311,7 @@ fn end_edit_by_key(ui: &Ui, view: &mut SectionsView, session: &mut Session, fram
     let pressed = |modifiers: Modifiers, key: Key| ui.input_mut(|i| i.consume_key(modifiers, key));
     let back_to_table = |ui: &Ui| ui.memory_mut(|m| m.request_focus(frame.id));
     if pressed(Modifiers::NONE, Key::Escape) {
-        view.editing = None;
-        if let Some(section) = session.part().sections.get(view.cursor.row) {
-            view.bad.remove(&(section.id, view.cursor.column));
-        }
+        keys::give_up(view, session);
         back_to_table(ui);
         return;
     }

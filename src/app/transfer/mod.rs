@@ -1,5 +1,6 @@
 //! The way to the lathe: port, line settings, progress, outcome and log.
 
+mod log;
 mod panel;
 mod settings;
 
@@ -108,6 +109,9 @@ impl TransferPanel {
         }
         if self.port.trim().is_empty() {
             return Some("No port is chosen. Choose one in the Transfer panel.".to_owned());
+        }
+        if let Some(reason) = session.outdated() {
+            return Some(reason.to_owned());
         }
         match session.verdict() {
             Verdict::Pending => Some("The proof of this program is not finished.".to_owned()),

@@ -1,19 +1,16 @@
 //! The Transfer panel.
 
-use super::{TransferPanel, settings};
+use super::{TransferPanel, log, settings};
 use crate::app::actions::Action;
 use crate::app::desk::Requests;
 use crate::app::theme::{self, Colors};
-use crate::app::widgets::{choice, clock, form_label, link, title_row};
+use crate::app::widgets::{Typed, choice, clock, field, form_label, link, title_row};
 use crate::session::{Session, Verdict};
-use crate::transfer::log::Direction;
 use crate::transfer::{Outcome, ports};
 use egui::{Align, Layout, Rect, RichText, Sense, Ui, vec2};
 
 /// Width of the labels, points.
 const LABEL: f32 = 60.0;
-/// Height of one line of the log, points.
-const LOG_LINE: f32 = 16.0;
 
 /// Shows the panel; true if it is dragged by its title.
 pub(crate) fn show(
@@ -38,8 +35,8 @@ pub(crate) fn show(
     progress(ui, panel, session);
     second_step(ui, panel, session, requests);
     buttons(ui, panel, session);
-    received(ui, panel, session);
-    log(ui, panel);
+    received(ui, panel, session, requests);
+    log::show(ui, &panel.log);
     dragged
 }
 
@@ -62,7 +59,7 @@ fn port(ui: &mut Ui, panel: &mut TransferPanel) {
             let width = ui.available_width();
             let present = panel.port.clone();
             let read = |text: &str| Ok(text.trim().to_owned());
-            if let Some(path) = crate::app::widgets::field(ui, "Port path", &present, width, read) {
+            if let Some(Typed::Left(Some(path))) = field(ui, "Port path", &present, width, read) {
                 panel.port = path;
             }
         });
@@ -190,45 +187,20 @@ fn buttons(ui: &mut Ui, panel: &mut TransferPanel, session: &Session) {
 }
 
 /// What can be done with a program that came in.
-fn received(ui: &mut Ui, panel: &TransferPanel, session: &mut Session) {
+fn received(ui: &mut Ui, panel: &TransferPanel, session: &mut Session, requests: &mut Requests) {
     let Some(Outcome::Received { text, .. }) = &panel.outcome else { return };
     let Some(name) = session.program().map(|p| p.name.clone()) else { return };
     ui.horizontal(|ui| {
         if link(ui, &format!("Use as {name}")).clicked() {
             let label = format!("received program as {name}");
-            session.edit_part(&label, None, |part| _ = part.overrides.insert(name, text.clone()));
+            session.edit_part(&label, None, |part| _ = part.overrides.insert(name.clone(), text.clone()));
+        }
+        if link(ui, "Save…").on_hover_text("Save it as it came into a file").clicked() {
+            let (name, text) = (format!("{name}-received"), text.as_str().into());
+            requests.actions.push(Action::AskSaveProgram { name, text });
         }
         if link(ui, "Copy").clicked() {
             ui.copy_text(text.clone());
         }
-    });
-}
-
-fn log(ui: &mut Ui, panel: &TransferPanel) {
-    if panel.log.is_empty() {
-        return;
-    }
-    let colors = Colors::of(ui.visuals());
-    egui::Frame::new().fill(colors.inset).corner_radius(6).inner_margin(egui::Margin::same(8)).show(ui, |ui| {
-        ui.spacing_mut().item_spacing.y = 0.0;
-        let area = egui::ScrollArea::vertical().id_salt("log").auto_shrink([false, false]).stick_to_bottom(true);
-        area.show_rows(ui, LOG_LINE, panel.log.len(), |ui, rows| {
-            for line in panel.log.range(rows) {
-                let arrow = match line.direction {
-                    Direction::Sent => "→",
-                    Direction::Received => "←",
-                    Direction::Note => "·",
-                };
-                let seconds = line.at.as_secs_f64();
-                let text = format!("{}:{:04.1} {arrow} {}", (seconds / 60.0).floor(), seconds % 60.0, line.text);
-                let font = egui::FontId::monospace(10.5);
-                let mut job = egui::text::LayoutJob::simple_singleline(text, font, colors.plot.quiet);
-                job.wrap = egui::text::TextWrapping::truncate_at_width(ui.available_width());
-                let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), LOG_LINE), Sense::hover());
-                response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, &job.text));
-                let galley = ui.painter().layout_job(job);
-                ui.painter().galley(rect.min, galley, colors.plot.quiet);
-            }
-        });
     });
 }

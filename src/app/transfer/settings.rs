@@ -1,6 +1,6 @@
 //! The line settings, editable.
 
-use crate::app::widgets::{choice, field, form_label};
+use crate::app::widgets::{Typed, choice, field, form_label};
 use crate::machine::{FlowControl, Parity, SerialProfile};
 use egui::Ui;
 
@@ -25,7 +25,7 @@ pub(super) fn show(ui: &mut Ui, profile: &mut SerialProfile) {
         baud.ok_or_else(|| format!("“{}” is not a speed; the line takes 50 to 4000000 baud.", text.trim()))
     };
     row(ui, "Baud", |ui, width| {
-        if let Some(baud) = field(ui, "Baud", &baud, width, read) {
+        if let Some(Typed::Left(Some(baud))) = field(ui, "Baud", &baud, width, read) {
             profile.baud = baud;
         }
     });

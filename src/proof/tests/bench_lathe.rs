@@ -112,7 +112,7 @@ pub(super) fn work() -> Work {
     ]);
     Work {
         stock: polygon(&[(-40.0, 0.0), (LENGTH, 0.0), (LENGTH, 10.0), (-40.0, 10.0)]),
-        target: Target { contour, sections: vec![1, 2, 2], machined_from_z: 0.0 },
+        target: Target { contour, sections: vec![1, 2, 2], names: BTreeMap::new(), machined_from_z: 0.0 },
         program_zero_z: LENGTH,
         chuck_face_z: -10.0,
         form_tolerance_mm: 0.05,

@@ -1,9 +1,10 @@
 //! The picture of the cut: stock, part, paths, tool, and what is wrong.
 
+use super::paths::Shown;
 use super::{CutView, Frame};
 use crate::app::plots::lines::{DASHED, dashed, faded, thinned};
 use crate::app::plots::palette::{LeftoverClass, Palette};
-use crate::app::plots::profile::draw::{EDGE, centre_line, chuck, on_screen, with_ends_on_axis};
+use crate::app::plots::profile::draw::{EDGE, LIT, LIT_STRENGTH, centre_line, chuck, on_screen, with_ends_on_axis};
 use crate::app::plots::regions::Triangles;
 use crate::diagnostic::Severity;
 use crate::proof::{Finding, FindingKind};
@@ -39,7 +40,9 @@ pub(super) fn picture(painter: &Painter, frame: &Frame<'_>, view: &mut CutView) 
         chuck(painter, screen, derived.setup.chuck_face_z, &machine.chuck, scene.palette);
     }
     centre_line(painter, screen, scene.palette);
-    view.paths.draw(painter, scene.palette, frame.now.map(|now| now.index), scene.selected);
+    lit_sections(painter, frame);
+    let shown = Shown { now: frame.now.map(|now| now.index), lit: scene.lit_blocks, selected: scene.selected };
+    view.paths.draw(painter, scene.palette, &shown);
     tool_now(painter, frame, view);
     findings(painter, frame);
     if view.leftover {
@@ -83,20 +86,31 @@ fn tool_now(painter: &Painter, frame: &Frame<'_>, view: &CutView) {
 }
 
 fn leftover(painter: &Painter, frame: &Frame<'_>) {
-    let (scene, screen) = (frame.scene, &frame.screen);
-    let contour = &scene.derived.contour;
+    let scene = frame.scene;
     for left in &scene.derived.proof.leftover {
         let class = LeftoverClass::of(left.largest_mm, scene.form_tolerance_mm);
         if class == LeftoverClass::Within {
             continue;
         }
-        let stroke = Stroke::new(LEFTOVER, scene.palette.leftover(class));
-        let segments = contour.contour.segments.iter().zip(&contour.sections);
-        for (segment, _) in segments.filter(|(_, section)| **section == left.section) {
-            let start = std::iter::once(segment.start());
-            let points = start.chain(segment.polyline_points(screen.tolerance())).map(|p| screen.pos(p));
-            painter.add(Shape::line(thinned(points), stroke));
-        }
+        section_line(painter, frame, left.section, Stroke::new(LEFTOVER, scene.palette.leftover(class)));
+    }
+}
+
+/// Draws the lines of the sections that belong to what the pointer is on.
+fn lit_sections(painter: &Painter, frame: &Frame<'_>) {
+    let stroke = Stroke::new(LIT, faded(frame.scene.palette.accent, LIT_STRENGTH));
+    for &section in frame.scene.lit_sections {
+        section_line(painter, frame, section, stroke);
+    }
+}
+
+fn section_line(painter: &Painter, frame: &Frame<'_>, section: u32, stroke: Stroke) {
+    let contour = &frame.scene.derived.contour;
+    let segments = contour.contour.segments.iter().zip(&contour.sections);
+    for (segment, _) in segments.filter(|(_, of)| **of == section) {
+        let start = std::iter::once(segment.start());
+        let points = start.chain(segment.polyline_points(frame.screen.tolerance())).map(|p| frame.screen.pos(p));
+        painter.add(Shape::line(thinned(points), stroke));
     }
 }
 

@@ -18,14 +18,14 @@ use super::tip::tip;
 use crate::geometry::{Bounds, Point};
 use crate::machine::Machine;
 use crate::part::Setup;
-use crate::proof::Move;
+use crate::proof::{BlockRef, Move};
 use crate::regen::SetupDerived;
 use crate::units::Unit;
 use chart::Chart;
 use egui::{Ui, Vec2};
 use paths::Paths;
 pub(super) use paths::operation_of;
-pub use playback::{BlockRef, clock};
+pub use playback::clock;
 use playback::{Position, position_at, total_s};
 use stock::StockCache;
 pub(super) use stock::stock_ring_at;
@@ -46,6 +46,10 @@ pub struct CutScene<'a> {
     pub form_tolerance_mm: f64,
     /// Block that is selected.
     pub selected: Option<BlockRef>,
+    /// Blocks that belong to what the pointer is on, here or elsewhere.
+    pub lit_blocks: &'a [BlockRef],
+    /// Rows that belong to what the pointer is on.
+    pub lit_sections: &'a [u32],
     /// Colours.
     pub palette: &'a Palette,
 }
@@ -68,7 +72,6 @@ pub struct CutView {
     pub leftover: bool,
     /// Show the chart of the chip cross-section.
     pub chart: bool,
-    hovered: Option<BlockRef>,
     paths: Paths,
     states: StockCache,
     tools: Tools,
@@ -85,7 +88,6 @@ impl Default for CutView {
             stock: true,
             leftover: false,
             chart: false,
-            hovered: None,
             paths: Paths::default(),
             states: StockCache::default(),
             tools: Tools::default(),
@@ -142,8 +144,8 @@ impl CutView {
 pub enum CutEvent {
     /// A path was clicked.
     SelectBlock(BlockRef),
-    /// The block under the pointer changed.
-    HoverBlock(Option<BlockRef>),
+    /// The pointer is on the path of this block; said in every frame.
+    HoverBlock(BlockRef),
     /// The slider was moved by hand to this time, s.
     Scrub(f64),
     /// The pointer is at this z and diameter of the document, or left the plot.
@@ -216,17 +218,14 @@ fn point_at(
 ) {
     let pos = canvas.response.hover_pos();
     let block = pos.and_then(|pos| view.paths.block_at(pos));
-    if block != view.hovered {
-        view.hovered = block;
-        events.push(CutEvent::HoverBlock(block));
-    }
+    events.extend(block.map(CutEvent::HoverBlock));
     if let Some(block) = block.filter(|_| canvas.response.clicked()) {
         events.push(CutEvent::SelectBlock(block));
     }
     let Some(pos) = pos.filter(|_| !canvas.response.dragged()) else { return };
     let text = draw::finding_at(frame, pos).or_else(|| block.map(|block| block_text(frame.scene.derived, block)));
     if let Some(lines) = text {
-        tip(painter, frame.scene.palette, pos, &lines);
+        tip(painter, frame.scene.palette, pos, &lines, &[]);
     }
 }
 

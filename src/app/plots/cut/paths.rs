@@ -1,10 +1,9 @@
 //! Tool paths on the screen: made once for a view, coloured by operation, thinned, hit by the pointer.
 
-use super::playback::BlockRef;
 use crate::app::plots::canvas::Screen;
 use crate::app::plots::lines::{clipped, dashed, distance_to_polyline, faded, thinned};
 use crate::app::plots::palette::Palette;
-use crate::proof::{Motion, Move, ProofReport};
+use crate::proof::{BlockRef, Motion, Move, ProofReport};
 use crate::regen::SetupDerived;
 use crate::turning::OperationKind;
 use egui::{Painter, Pos2, Rect, Shape, Stroke};
@@ -25,6 +24,16 @@ pub(super) struct Paths {
     made_for: Option<(Arc<ProofReport>, Screen)>,
     /// Runs of moves with the same block, in order.
     runs: Vec<Run>,
+}
+
+/// What of the paths is shown how.
+pub(super) struct Shown<'a> {
+    /// Index of the move at the slider.
+    pub(super) now: Option<usize>,
+    /// Blocks that belong to what the pointer is on.
+    pub(super) lit: &'a [BlockRef],
+    /// Block that is selected.
+    pub(super) selected: Option<BlockRef>,
 }
 
 /// The moves of one run through one block that look alike.
@@ -51,16 +60,19 @@ impl Paths {
         self.made_for = Some((Arc::clone(&derived.proof), screen));
     }
 
-    /// Draws all paths: those done by move `now` strong, those to come weak, those of `selected` on top.
-    pub(super) fn draw(&self, painter: &Painter, palette: &Palette, now: Option<usize>, selected: Option<BlockRef>) {
+    /// Draws all paths: those done by move `now` strong, those to come weak, those lit and `selected` on top.
+    pub(super) fn draw(&self, painter: &Painter, palette: &Palette, shown: &Shown<'_>) {
         let clip = painter.clip_rect();
         let seen = || self.runs.iter().filter(|run| clip.intersects(run.bounds));
         // Rapid moves lie under cutting moves: many go back along the line that was cut.
         for run in seen().filter(|run| run.rapid).chain(seen().filter(|run| !run.rapid)) {
-            let done = now.is_some_and(|now| run.first <= now);
+            let done = shown.now.is_some_and(|now| run.first <= now);
             run.draw(painter, run.stroke(palette, done));
         }
-        for run in seen().filter(|run| Some(run.block) == selected) {
+        for run in seen().filter(|run| shown.lit.contains(&run.block)) {
+            run.draw(painter, Stroke::new(if run.rapid { 0.8 } else { 2.6 }, palette.accent));
+        }
+        for run in seen().filter(|run| Some(run.block) == shown.selected) {
             painter.add(Shape::line(run.points.clone(), Stroke::new(5.0, faded(palette.accent, 0.25))));
             run.draw(painter, Stroke::new(2.2, palette.accent));
         }

@@ -1,24 +1,7 @@
 //! Time to place: which move runs at a moment, where the tool is, and steps from block to block.
 
 use crate::geometry::Point;
-use crate::proof::Move;
-
-/// A block of one of the programs of a proof.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct BlockRef {
-    /// Program by index in the order of the proof.
-    pub program: usize,
-    /// Block from 1.
-    pub block: usize,
-}
-
-impl BlockRef {
-    /// The block that a move belongs to.
-    #[must_use]
-    pub const fn of(m: &Move) -> Self {
-        Self { program: m.program, block: m.block }
-    }
-}
+use crate::proof::{BlockRef, Move};
 
 /// Where the tool is at a moment.
 #[derive(Debug, Clone, Copy, PartialEq)]

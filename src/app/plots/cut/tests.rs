@@ -19,6 +19,8 @@ fn harness() -> Harness<'static, State> {
             machine: None,
             form_tolerance_mm: 0.02,
             selected: None,
+            lit_blocks: &[],
+            lit_sections: &[],
             palette: &Palette::LIGHT,
         };
         let events = cut_plot(ui, &mut state.view, &scene);

@@ -15,7 +15,9 @@ use std::sync::Arc;
 /// Width of the part's edge, points.
 pub(in crate::app::plots) const EDGE: f32 = 1.8;
 /// Width of the line of a section that is selected or under the pointer, points.
-const LIT: f32 = 3.0;
+pub(in crate::app::plots) const LIT: f32 = 3.0;
+/// Strength of the line of a section that is under the pointer and not selected.
+pub(in crate::app::plots) const LIT_STRENGTH: f32 = 0.55;
 /// Chords of the stock's outline are this near to its arcs, mm.
 const STOCK_CHORDS_MM: f64 = 0.005;
 /// Share of the part's length that the chuck takes in a fitted view.
@@ -43,10 +45,11 @@ pub(super) fn scenery(painter: &Painter, frame: &Frame<'_>, view: &mut ProfileVi
         chuck(painter, screen, setup.chuck_face_z, &machine.chuck, scene.palette);
     }
     centre_line(painter, screen, scene.palette);
-    for (section, strength) in [(scene.hovered, 0.55), (scene.selected, 1.0)] {
-        if let Some(id) = section {
-            lit_section(painter, frame, id, strength);
-        }
+    for &id in scene.lit {
+        lit_section(painter, frame, id, LIT_STRENGTH);
+    }
+    if let Some(id) = scene.selected {
+        lit_section(painter, frame, id, 1.0);
     }
 }
 

@@ -40,7 +40,7 @@ impl Frame<'_> {
 
     /// True if the row is selected or under the pointer.
     pub(super) fn is_lit(&self, id: u32) -> bool {
-        self.scene.selected == Some(id) || self.scene.hovered == Some(id)
+        self.scene.selected == Some(id) || self.scene.lit.contains(&id)
     }
 
     /// z and diameter at a position on the screen; the diameter is negative below the axis.

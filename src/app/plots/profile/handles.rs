@@ -29,12 +29,19 @@ pub(super) fn handles(ui: &mut Ui, frame: &Frame<'_>, view: &mut ProfileView, ev
         tips = radius_handle(ui, frame, view, section, events).or(tips);
     }
     follow_drag(ui, frame, view, events);
-    if let Some((at, lines)) = tips {
-        tip(&ui.painter_at(frame.free), frame.scene.palette, at, &lines);
+    if let Some(Tip { at, lines, of }) = tips {
+        let keep_free: Vec<_> = of.iter().flat_map(|&id| frame.segments_of(id)).map(|s| frame.polyline(s)).collect();
+        tip(&ui.painter_at(frame.free), frame.scene.palette, at, &lines, &keep_free);
     }
 }
 
-type Tip = (Pos2, [String; 2]);
+/// What is said about a handle.
+struct Tip {
+    at: Pos2,
+    lines: [String; 2],
+    /// Sections that a drag of it moves: the tip leaves them free.
+    of: Vec<u32>,
+}
 
 fn node_handle(
     ui: &mut Ui,
@@ -64,7 +71,11 @@ fn node_handle(
     let selected = node.ends.iter().any(|end| frame.scene.selected == Some(end.section));
     let strong = response.hovered() || response.has_focus() || dragged_now;
     draw_node(ui, frame, pos, selected, strong);
-    strong.then(|| (pos, [words[0].clone(), format!("{} · drag, or type", words[1])]))
+    strong.then(|| Tip {
+        at: pos,
+        lines: [words[0].clone(), format!("{} · drag, or type", words[1])],
+        of: node.ends.iter().chain(&node.follow_z).map(|end| end.section).collect(),
+    })
 }
 
 /// The section that a click on a node selects: the next one in turn if the node is shared and its section selected.
@@ -158,7 +169,7 @@ fn radius_handle(
     let dragged_now = matches!(view.drag, Some(Drag::Radius { section: of, .. }) if of == section.id);
     let strong = response.hovered() || response.has_focus() || dragged_now;
     draw_diamond(ui, frame, pos, strong);
-    strong.then(|| (pos, [text, format!("{name} · drag, or type")]))
+    strong.then(|| Tip { at: pos, lines: [text, format!("{name} · drag, or type")], of: vec![section.id] })
 }
 
 fn draw_diamond(ui: &Ui, frame: &Frame<'_>, pos: Pos2, strong: bool) {

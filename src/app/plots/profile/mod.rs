@@ -37,8 +37,8 @@ pub struct ProfileScene<'a> {
     pub machine: Option<&'a Machine>,
     /// Row that is selected.
     pub selected: Option<u32>,
-    /// Row under the pointer, here or elsewhere.
-    pub hovered: Option<u32>,
+    /// Rows that belong to what the pointer is on, here or elsewhere.
+    pub lit: &'a [u32],
     /// Colours.
     pub palette: &'a Palette,
 }
@@ -55,7 +55,7 @@ pub struct ProfileView {
     drag: Option<Drag>,
     typing: Option<Typing>,
     stock: draw::Stock,
-    /// What was last said to be under the pointer.
+    /// The row under the pointer.
     hovered: Option<u32>,
 }
 
@@ -91,8 +91,8 @@ pub enum Phase {
 /// What a person wants of the part. Positions, diameters and radii are in the document's unit.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ProfileEvent {
-    /// The row under the pointer changed.
-    HoverSection(Option<u32>),
+    /// The pointer is on this row; said in every frame, but not during a drag.
+    HoverSection(u32),
     /// A row was clicked.
     SelectSection(u32),
     /// A node was moved; [`NodeMove::apply`] writes it into a part.
@@ -165,7 +165,7 @@ pub fn profile_plot(ui: &mut Ui, view: &mut ProfileView, scene: &ProfileScene<'_
     canvas::overlay(ui, &view.canvas, &canvas, scene.palette);
     let pos = canvas.response.hover_pos().filter(|_| over_empty);
     if let Some((pos, lines)) = pos.and_then(|pos| Some((pos, hatch::hover_text(&frame, pos)?))) {
-        tip(&painter, scene.palette, pos, &lines);
+        tip(&painter, scene.palette, pos, &lines, &[]);
     }
     events
 }
@@ -184,10 +184,10 @@ fn point_at(
     let hovered = pos.and_then(|pos| frame.section_at(pos));
     // Over a handle the section stays as it was, so that an arc's middle does not vanish under the pointer.
     let over_handle = canvas.pointer.is_some() && !over_empty;
-    if hovered != view.hovered && !over_handle {
+    if !over_handle {
         view.hovered = hovered;
-        events.push(ProfileEvent::HoverSection(hovered));
     }
+    events.extend(view.hovered.filter(|_| view.drag.is_none()).map(ProfileEvent::HoverSection));
     if let Some(section) = hovered.filter(|_| canvas.response.clicked()) {
         events.push(ProfileEvent::SelectSection(section));
     }

@@ -21,7 +21,7 @@ fn harness() -> Harness<'static, State> {
             unit: Unit::Mm,
             machine: None,
             selected: state.selected,
-            hovered: None,
+            lit: &[],
             palette: &Palette::LIGHT,
         };
         for event in profile_plot(ui, &mut state.view, &scene) {
