@@ -1,11 +1,13 @@
 //! What a user edits and saves: plain data, in the unit the user chose, and nothing derived from it.
 
 mod cycles;
+mod program;
 mod row;
 
 use crate::part::Section;
 use crate::units::Unit;
 pub use cycles::{CutIn, Cycle, Instruction};
+pub use program::ProgramChoices;
 use row::{EndsRow, ParabolaCutRow};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -69,6 +71,9 @@ pub struct TurnedPart {
     /// Which generator makes the program.
     #[serde(default)]
     pub generator: Generator,
+    /// How the programs are written.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub program: ProgramChoices,
     /// Deviation from the contour that the proof allows: a deeper gouge is an error, more leftover a warning.
     pub form_tolerance: f64,
     /// The section table.
@@ -192,6 +197,7 @@ impl Default for TurnedPart {
             facing_allowance: 0.0,
             stock_bore_diameter: 0.0,
             generator: Generator::default(),
+            program: ProgramChoices::default(),
             form_tolerance: 0.0,
             sections: Vec::new(),
             bore: Vec::new(),

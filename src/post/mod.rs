@@ -1,12 +1,16 @@
 //! Posts: from cutter location data to the text that a control reads.
 
+mod header;
 pub mod orac;
 
 use crate::machine::{Dialect, Machine};
 use crate::turning::{CutterPath, OperationKind};
+use crate::units::Unit;
+pub use header::Header;
 
 /// How programs are made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[allow(clippy::struct_excessive_bools, reason = "each is a choice of its own")]
 pub struct Options {
     /// Shorten an ORAC's files with [`orac::optimize`] before they are assembled.
     pub optimize: bool,
@@ -14,11 +18,21 @@ pub struct Options {
     pub automatic: bool,
     /// A program of its own for every operation.
     pub separate_programs: bool,
+    /// Unit of the programs on controls that read words.
+    pub unit: Unit,
+    /// Number of the first program; the machine's usual one without.
+    pub program_number: Option<u32>,
+    /// Write the control's own cycles where it has them and the operation describes one.
+    pub canned_cycles: bool,
+    /// Let the control compensate the nose radius where the operation tells its contour.
+    pub compensated_by_control: bool,
 }
 
 /// The programs of one set-up in the language of its machine. `name` is the item's name; numbers are appended to it.
 #[must_use]
-pub fn post(name: &str, path: &CutterPath, options: &Options, machine: &Machine) -> PostOutput {
+pub fn post(name: &str, path: &CutterPath, options: &Options, header: &Header, machine: &Machine) -> PostOutput {
+    // The ORAC's pages have no room for comments.
+    let _ = header;
     match machine.dialect {
         Dialect::Orac => orac::post(name, path, options, machine),
     }
@@ -44,6 +58,8 @@ pub struct BlockInfo {
     pub summary: String,
     /// Operation that the block belongs to; `None` for start and end.
     pub operation: Option<OperationKind>,
+    /// Its index in the path's operations; tells operations of one kind apart.
+    pub operation_index: Option<usize>,
     /// First line of the block in the text, from 1.
     pub line: usize,
     /// Number of lines.

@@ -23,6 +23,9 @@ type SetupsInput = (TurnedPart, Arc<Machine>);
 /// What the generator works from.
 type PathInput = (Arc<Setup>, TurnedPart, Arc<Machine>, Arc<Tools>, Material);
 
+/// What programs are made from: the item's name, its path, choices, what the programs say of it, and the machine.
+type PostInput = (String, Arc<CutterPath>, post::Options, post::Header, Arc<Machine>);
+
 /// What the last regeneration left behind; one a document.
 #[derive(Debug, Default)]
 pub struct Cache {
@@ -43,7 +46,7 @@ pub(super) struct SetupCache {
 #[derive(Debug, Default)]
 pub(super) struct ProgramCache {
     pub(super) path: Stage<PathInput, Said<Arc<CutterPath>>>,
-    pub(super) post: Stage<(String, Arc<CutterPath>, post::Options, Arc<Machine>), PostOutput>,
+    pub(super) post: Stage<PostInput, PostOutput>,
     pub(super) proof: Stage<ProofInput, ProofReport>,
 }
 

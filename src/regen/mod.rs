@@ -8,12 +8,13 @@ mod stage;
 
 use crate::cancel::{Cancel, Cancelled};
 use crate::diagnostic::{Diagnostic, Place};
-use crate::document::{Content, Document, Generator, TurnedPart};
+use crate::document::{Content, Document, Generator, ProgramChoices, TurnedPart};
 use crate::machine::{self, Catalog, Machine, Material, ToolOutline};
 use crate::part::{self, PartContour, Setup, UnreachableArea};
 use crate::post::{self, PostOutput};
 use crate::proof::{self, MayCut, ProgramText, ProofInput, ProofReport, Target, Work};
 use crate::turning::{self, CutterPath};
+use crate::units::Unit;
 pub use cache::{Cache, StageRuns};
 use cache::{ProgramCache, SetupCache, Tools};
 pub use stage::Stage;
@@ -104,6 +105,8 @@ pub fn regenerate(
         machine: Arc::clone(&machine),
         tools: Arc::new(machine::outlines(&machine, catalog)),
         material,
+        unit: document.unit,
+        header: post::Header::new(document, part, &machine, catalog),
     };
     cache.of_setup.resize_with(setups.0.len(), SetupCache::default);
     let mut made = Vec::with_capacity(setups.0.len());
@@ -122,6 +125,8 @@ struct Context {
     machine: Arc<Machine>,
     tools: Arc<Tools>,
     material: Material,
+    unit: Unit,
+    header: post::Header,
 }
 
 fn regenerate_setup(
@@ -178,9 +183,11 @@ fn prove_setup(
     });
     let (path, said) = (Arc::clone(&generated.0), generated.1.clone());
     cancel.check()?;
-    let options = post_options(part_mm);
-    let post_input = (name.to_owned(), Arc::clone(&path), options, Arc::clone(machine));
-    let post = stages.post.get(post_input, |(name, path, options, machine)| post::post(name, path, options, machine));
+    let options = post_options(part_mm, context.unit);
+    let post_input = (name.to_owned(), Arc::clone(&path), options, context.header.clone(), Arc::clone(machine));
+    let post = stages
+        .post
+        .get(post_input, |(name, path, options, header, machine)| post::post(name, path, options, header, machine));
     let programs = Arc::new(with_overrides(&post, part_mm));
     let input = ProofInput {
         machine: Arc::clone(machine),
@@ -192,13 +199,17 @@ fn prove_setup(
     Ok(Proved { path, said, post, programs, proof })
 }
 
-/// What a part asks of the post.
+/// What a part whose lengths are shown in `unit` asks of the post.
 #[must_use]
-pub const fn post_options(part: &TurnedPart) -> post::Options {
+pub const fn post_options(part: &TurnedPart, unit: Unit) -> post::Options {
     post::Options {
         optimize: matches!(part.generator, Generator::Oracap { optimize: true, .. }),
         automatic: part.automatic,
         separate_programs: matches!(part.generator, Generator::Planned { separate_programs: true }),
+        unit,
+        program_number: part.program.number,
+        canned_cycles: part.program.canned_cycles,
+        compensated_by_control: part.program.compensated_by_control,
     }
 }
 
@@ -209,12 +220,17 @@ fn without_overrides(part: &TurnedPart) -> TurnedPart {
 
 /// The part without what only the proof looks at, so that an edit of it reruns the proof alone.
 fn without_proof_settings(part: &TurnedPart) -> TurnedPart {
-    TurnedPart { form_tolerance: 0.0, ..without_overrides(part) }
+    TurnedPart { form_tolerance: 0.0, program: ProgramChoices::default(), ..without_overrides(part) }
 }
 
 /// The part without what only generator, post and proof look at, so that an edit of it leaves the geometry alone.
 fn geometry_only(part: &TurnedPart) -> TurnedPart {
-    TurnedPart { material: String::new(), generator: Generator::default(), ..without_proof_settings(part) }
+    TurnedPart {
+        material: String::new(),
+        generator: Generator::default(),
+        program: ProgramChoices::default(),
+        ..without_proof_settings(part)
+    }
 }
 
 fn with_overrides(post: &PostOutput, part: &TurnedPart) -> Vec<ProgramText> {

@@ -80,7 +80,7 @@ fn stages(c: &mut Criterion) {
     c.bench_function("stage/paths", |b| {
         b.iter(|| turning::published::generate(black_box(&item.setup), part_mm, &machine, &material));
     });
-    let options = regen::post_options(part_mm);
+    let options = regen::post_options(part_mm, document.unit);
     c.bench_function("stage/program", |b| {
         b.iter(|| orac::post(&item.name, black_box(&item.path), &options, &machine));
     });

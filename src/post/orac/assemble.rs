@@ -21,6 +21,14 @@ const END_CHANNEL: i32 = 9;
 pub(super) struct Block {
     pub(super) instruction: Instruction,
     pub(super) operation: Option<OperationKind>,
+    pub(super) operation_index: Option<usize>,
+}
+
+impl Block {
+    /// A block of a program's start or end.
+    const fn frame(instruction: Instruction) -> Self {
+        Self { instruction, operation: None, operation_index: None }
+    }
 }
 
 /// The programs made of `files`, none longer than `limit` blocks.
@@ -35,7 +43,7 @@ pub(super) fn assemble(files: &[InstructionFile], limit: usize, automatic: bool)
     for (k, file) in files.iter().enumerate() {
         let skip = if k == 0 { assembler.start.len() } else { 0 };
         let body = file.instructions.iter().skip(skip).filter(|i| !matches!(i, Instruction::End));
-        assembler.add(&body.copied().collect::<Vec<_>>(), file.operation);
+        assembler.add(&body.copied().collect::<Vec<_>>(), file);
     }
     assembler.close();
     assembler.programs
@@ -53,24 +61,25 @@ struct Assembler {
 
 impl Assembler {
     /// Adds the body of a file, divided if it is too long for a program of its own.
-    fn add(&mut self, body: &[Instruction], operation: Option<OperationKind>) {
+    fn add(&mut self, body: &[Instruction], file: &InstructionFile) {
         let room = self.room_for_a_file();
         let parts = if body.len() <= room { vec![Part::whole(body)] } else { divide(body, room) };
         for part in parts {
-            self.add_part(&part.instructions, operation);
+            self.add_part(&part.instructions, file);
         }
     }
 
-    fn add_part(&mut self, body: &[Instruction], operation: Option<OperationKind>) {
+    fn add_part(&mut self, body: &[Instruction], file: &InstructionFile) {
         let Some(tool) = body.iter().find_map(Instruction::tool) else { return };
         if self.current.len() + self.signals(tool).len() + body.len() + self.ending().len() > self.limit {
             self.close();
         }
         if self.current.is_empty() {
-            self.current = self.start.iter().map(|&instruction| Block { instruction, operation: None }).collect();
+            self.current = self.start.iter().map(|&instruction| Block::frame(instruction)).collect();
         }
         let blocks = self.signals(tool).into_iter().chain(body.iter().copied());
-        self.current.extend(blocks.map(|instruction| Block { instruction, operation }));
+        let (operation, operation_index) = (file.operation, file.operation_index);
+        self.current.extend(blocks.map(|instruction| Block { instruction, operation, operation_index }));
         self.turret = Some(tool);
     }
 
@@ -80,7 +89,7 @@ impl Assembler {
             return;
         }
         let ending = self.ending();
-        self.current.extend(ending.into_iter().map(|instruction| Block { instruction, operation: None }));
+        self.current.extend(ending.into_iter().map(Block::frame));
         self.programs.push(std::mem::take(&mut self.current));
         self.turret = None;
     }
@@ -116,7 +125,7 @@ mod tests {
         let start = [Instruction::Inc, Instruction::Mm, Instruction::Pdat { x: 1, z: 1 }];
         let head = if number == 1 { &start[..] } else { &[] };
         let instructions = head.iter().copied().chain(std::iter::repeat_n(line, moves)).collect();
-        InstructionFile { number, operation: None, instructions }
+        InstructionFile { number, operation: None, operation_index: None, instructions }
     }
 
     fn lengths(programs: &[Vec<Block>]) -> Vec<usize> {

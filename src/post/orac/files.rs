@@ -2,7 +2,7 @@
 
 use super::instruction::Instruction;
 use super::words;
-use crate::turning::{CutterPath, OperationKind};
+use crate::turning::{CutterPath, Operation, OperationKind};
 
 /// One instruction file: `NAME1.anc` is number 1.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -11,6 +11,8 @@ pub struct InstructionFile {
     pub number: usize,
     /// What it cuts; `None` for file 3.
     pub operation: Option<OperationKind>,
+    /// Index of that in the path's operations.
+    pub operation_index: Option<usize>,
     /// Its instructions.
     pub instructions: Vec<Instruction>,
 }
@@ -24,20 +26,28 @@ pub struct InstructionFile {
 pub fn files(path: &CutterPath, rapid_mm_per_min: f64) -> Vec<InstructionFile> {
     let is_right = |kind| matches!(kind, OperationKind::RoughRight | OperationKind::FinishRight);
     let after_right = path.operations.iter().take_while(|o| is_right(o.kind)).count();
-    let mut contents: Vec<(Option<OperationKind>, Vec<Instruction>)> =
-        path.operations.iter().map(|o| (Some(o.kind), words::operation(path, o, rapid_mm_per_min))).collect();
-    if let Some((_, first)) = contents.first_mut() {
-        first.splice(0..0, words::start(path));
-    }
-    if let Some((_, last)) = contents.last_mut() {
-        last.push(Instruction::End);
-    }
-    if after_right < contents.len() {
-        contents.insert(after_right, (None, Vec::new()));
-    }
-    contents
-        .into_iter()
+    let instructions = |o: &Operation| words::operation(path, o, rapid_mm_per_min);
+    let mut files: Vec<InstructionFile> = path
+        .operations
+        .iter()
         .enumerate()
-        .map(|(k, (operation, instructions))| InstructionFile { number: k + 1, operation, instructions })
-        .collect()
+        .map(|(index, o)| InstructionFile {
+            number: 0,
+            operation: Some(o.kind),
+            operation_index: Some(index),
+            instructions: instructions(o),
+        })
+        .collect();
+    if let Some(first) = files.first_mut() {
+        first.instructions.splice(0..0, words::start(path));
+    }
+    if let Some(last) = files.last_mut() {
+        last.instructions.push(Instruction::End);
+    }
+    if after_right < files.len() {
+        let unused = InstructionFile { number: 0, operation: None, operation_index: None, instructions: Vec::new() };
+        files.insert(after_right, unused);
+    }
+    files.iter_mut().zip(1..).for_each(|(file, number)| file.number = number);
+    files
 }

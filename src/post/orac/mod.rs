@@ -70,7 +70,8 @@ fn program(name: String, blocks: &[Block]) -> Program {
     let mut line = 1;
     let infos = blocks.iter().map(|block| {
         let lines = page::lines(&block.instruction);
-        let info = BlockInfo { summary: block.instruction.summary(), operation: block.operation, line, lines };
+        let Block { operation, operation_index, .. } = *block;
+        let info = BlockInfo { summary: block.instruction.summary(), operation, operation_index, line, lines };
         line += lines;
         info
     });
