@@ -222,7 +222,8 @@ fn without_optimizing_programs_hold_the_long_files_and_none_is_too_long() {
 fn a_file_far_too_long_is_divided() {
     let machine = orac();
     let (setup, part) = queen();
-    let fine = turnwright::machine::Material { depth_rough: 0.05, ..material() };
+    let figures = turnwright::machine::OracData { depth_rough: 0.05, ..material().orac.unwrap() };
+    let fine = turnwright::machine::Material { orac: Some(figures), ..material() };
     let (path, _) = generate(&setup, &part, &machine, &fine);
     for optimize in [true, false] {
         let output = post("QUEEN", &path, &Options { optimize, automatic: false, ..Options::default() }, &machine);

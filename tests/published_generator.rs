@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use support::{Part, master, orac, queen, stepped};
 use turnwright::diagnostic::has_errors;
 use turnwright::geometry::Point;
-use turnwright::machine::{Catalog, Material};
+use turnwright::machine::{Catalog, Material, OracData};
 use turnwright::post::Options;
 use turnwright::post::orac::{Instruction, files, optimize, post};
 use turnwright::turning::published::generate;
@@ -145,7 +145,8 @@ fn a_part_off_runs_to_the_axis_at_its_own_feed() {
 fn figures_of_the_material_that_cannot_be_are_refused() {
     let (setup, part) = queen();
     for depth_rough in [0.0, -0.8, f64::NAN, f64::INFINITY] {
-        let (path, diagnostics) = generate(&setup, &part, &orac(), &Material { depth_rough, ..material() });
+        let figures = OracData { depth_rough, ..material().orac.unwrap() };
+        let (path, diagnostics) = generate(&setup, &part, &orac(), &Material { orac: Some(figures), ..material() });
         assert!(path.operations.is_empty());
         assert_eq!(diagnostics[0].code, "material-figure");
     }

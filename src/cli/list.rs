@@ -3,6 +3,7 @@
 use super::{Ending, Outcome, catalog, say};
 use clap::Args;
 use serde::Serialize;
+use turnwright::machine::{CuttingOperation, ToolMaterial};
 use turnwright::units::Unit;
 
 /// List what is known.
@@ -34,10 +35,19 @@ pub(super) fn materials(args: &List) -> Outcome {
     let catalog = catalog();
     let lines = catalog.materials.iter().map(|m| {
         let unit = if m.unit == Unit::Inch { "in" } else { "mm" };
-        format!(
-            "{:<10} cut {:>4} {unit}/min, rough {:.3} {unit}, finish 2 x {:.3} {unit}, thread {:.3} {unit}",
-            m.name, m.feed_cut, m.depth_rough, m.depth_finish, m.depth_thread
-        )
+        let published = m.orac.map(|row| {
+            format!(
+                "cut {:>4} {unit}/min, rough {:.3} {unit}, finish 2 x {:.3} {unit}, thread {:.3} {unit}",
+                row.feed_cut, row.depth_rough, row.depth_finish, row.depth_thread
+            )
+        });
+        let rough = m.cutting(CuttingOperation::Rough, ToolMaterial::Carbide).map(|data| {
+            format!(
+                "rough {:>3} m/min, {} mm/rev, {} mm deep",
+                data.speed_m_per_min, data.feed_mm_per_rev, data.depth_mm
+            )
+        });
+        format!("{:<16} {}", m.name, published.into_iter().chain(rough).collect::<Vec<_>>().join("; "))
     });
     print(args, &catalog.materials, lines);
     Ok(Ending::Good)

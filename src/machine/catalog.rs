@@ -12,12 +12,20 @@ use std::path::{Path, PathBuf};
 /// Longest machine, tool or material file that is read, bytes.
 const MOST_BYTES: u64 = 1 << 20;
 
-const MACHINES: &[Source<'static>] =
-    &[Source { name: "machines/orac.toml", text: include_str!("../../assets/machines/orac.toml") }];
-const TOOLS: &[Source<'static>] =
-    &[Source { name: "tools/orac.toml", text: include_str!("../../assets/tools/orac.toml") }];
-const MATERIALS: &[Source<'static>] =
-    &[Source { name: "materials/oracap.toml", text: include_str!("../../assets/materials/oracap.toml") }];
+/// Sources of shipped files: names and texts.
+macro_rules! shipped {
+    ($($name:literal),+) => { &[$(Source { name: $name, text: include_str!(concat!("../../assets/", $name)) }),+] };
+}
+
+const MACHINES: &[Source<'static>] = shipped!(
+    "machines/orac.toml",
+    "machines/mori-fanuc-6t.toml",
+    "machines/fanuc-0i.toml",
+    "machines/linuxcnc.toml",
+    "machines/swedish-1970s.toml"
+);
+const TOOLS: &[Source<'static>] = shipped!("tools/orac.toml", "tools/mori-fanuc-6t.toml", "tools/turning.toml");
+const MATERIALS: &[Source<'static>] = shipped!("materials/oracap.toml");
 
 impl Catalog {
     /// What comes with the program. The files are part of it; a test proves that they are without fault.
@@ -185,7 +193,7 @@ fn sources(files: &[(String, String)]) -> Vec<Source<'_>> {
 mod tests {
     use super::*;
     use crate::diagnostic::Place;
-    use crate::machine::{Dialect, FlowControl, Parity};
+    use crate::machine::{Dialect, FlowControl, Parity, SpeedRule};
 
     fn user_dir(files: &[(&str, &str)]) -> tempfile::TempDir {
         let dir = tempfile::tempdir().unwrap();
@@ -210,7 +218,7 @@ mod tests {
     fn shipped_files_are_without_fault() {
         let (catalog, diagnostics) = Catalog::shipped_with_diagnostics();
         assert_eq!(diagnostics, []);
-        assert_eq!((catalog.machines.len(), catalog.tools.len(), catalog.materials.len()), (1, 4, 7));
+        assert_eq!((catalog.machines.len(), catalog.tools.len(), catalog.materials.len()), (5, 20, 7));
         assert_eq!(Catalog::load(None), (catalog.clone(), Vec::new()));
         assert_eq!(load(&[]), (catalog, Vec::new()));
     }
@@ -221,7 +229,7 @@ mod tests {
         let orac = catalog.machine("orac").unwrap();
         assert_eq!(orac.dialect, Dialect::Orac);
         assert_eq!((orac.limits.bar_diameter_mm, orac.limits.blocks_per_program), (40.0, 99));
-        assert_eq!((orac.spindle.at_center_rpm, orac.spindle.per_mm_radius_rpm), (2000.0, 60.0));
+        assert_eq!(orac.spindle.speed, SpeedRule::Radius { at_center_rpm: 2000.0, per_mm_radius_rpm: 60.0 });
         let serial = &orac.serial;
         assert_eq!((serial.baud, serial.data_bits, serial.parity, serial.stop_bits), (2400, 7, Parity::Odd, 1));
         assert_eq!((serial.flow, serial.page_start, serial.end), (FlowControl::None, 2, 4));
@@ -230,15 +238,15 @@ mod tests {
     #[test]
     fn materials_are_found_without_regard_to_case_and_by_unit_first() {
         let catalog = Catalog::shipped();
-        assert_eq!(catalog.material("Aluminum", Unit::Mm).unwrap().feed_cut, 80.0);
-        assert_eq!(catalog.material("aluminum", Unit::Inch).unwrap().feed_cut, 3.0);
+        assert_eq!(catalog.material("Aluminum", Unit::Mm).unwrap().orac.unwrap().feed_cut, 80.0);
+        assert_eq!(catalog.material("aluminum", Unit::Inch).unwrap().orac.unwrap().feed_cut, 3.0);
         assert_eq!(catalog.material("steel", Unit::Inch).unwrap().unit, Unit::Mm);
         assert!(catalog.material("cheese", Unit::Mm).is_none());
     }
 
     #[test]
     fn a_user_file_adds_and_replaces() {
-        let brass = "[[material]]\nname='BRASS'\nfeed_travel=1000\nfeed_cut=120\nfeed_part_off=8\n\
+        let brass = "[[material]]\nname='BRASS'\n[material.orac]\nfeed_travel=1000\nfeed_cut=120\nfeed_part_off=8\n\
                      depth_rough=1\ndepth_finish=0.1\ndepth_thread=0.05\n";
         let steel = brass.replace("BRASS", "Steel");
         let small = orac_with("bar_diameter_mm = 40", "bar_diameter_mm = 20");
@@ -250,9 +258,9 @@ mod tests {
             ("machines/notes.txt", "not read"),
         ]);
         assert_eq!(diagnostics, []);
-        assert_eq!((catalog.machines.len(), catalog.materials.len()), (2, 8));
+        assert_eq!((catalog.machines.len(), catalog.materials.len()), (6, 8));
         assert_eq!(catalog.machine("orac").unwrap().limits.bar_diameter_mm, 20.0);
-        assert_eq!(catalog.material("STEEL", Unit::Mm).unwrap().feed_cut, 120.0);
+        assert_eq!(catalog.material("STEEL", Unit::Mm).unwrap().orac.unwrap().feed_cut, 120.0);
     }
 
     /// Loads one machine file with a mistake: exactly one diagnostic, at `line`, with every one of `words`.
@@ -310,10 +318,11 @@ mod tests {
 
     #[test]
     fn every_beginning_of_a_file_is_read_or_reported() {
+        let shipped = Catalog::shipped();
         for source in MACHINES.iter().chain(TOOLS).chain(MATERIALS) {
-            for (end, _) in source.text.char_indices().step_by(7) {
+            for (end, _) in source.text.char_indices().step_by(source.text.len() / 150) {
                 let cut = Source { name: source.name, text: &source.text[..end] };
-                let mut catalog = Catalog::shipped();
+                let mut catalog = shipped.clone();
                 let mut diagnostics = Vec::new();
                 catalog.add(&[cut], &[cut], &[cut], &mut diagnostics);
                 assert!(diagnostics.len() >= 2, "a file is of one kind at most: {diagnostics:?}");

@@ -1,8 +1,97 @@
 //! The true outline of a tool: insert with nose arcs, and holder.
 
-use super::{Catalog, Hand, Machine, Tool, ToolOutline, ToolShape};
+use super::{Catalog, Hand, Machine, Tool, ToolShape};
 use crate::geometry::{Contour, Point, Segment, Vector};
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+
+/// The true outline of a tool in tool space, closed, counter-clockwise, mm, and what is to be known for cutting with it.
+///
+/// Tool space: the origin is the point that the program moves; `z` and `r` as in part space.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct ToolOutline {
+    /// The cutting insert or blade.
+    pub insert: Contour,
+    /// Everything else that moves with it and must touch nothing.
+    pub holder: Contour,
+    /// What the tool is for.
+    #[serde(default)]
+    pub kind: ToolKind,
+    /// Nose radius, mm; 0 for a sharp corner.
+    #[serde(default)]
+    pub nose_radius: f64,
+    /// Centre of the nose in tool space; of a blade the nose towards the chuck.
+    #[serde(default)]
+    pub nose_center: Point,
+    /// Tip orientation 1 to 9 as controls number it for a turret behind the axis: where the programmed point lies, seen from
+    /// the centre of the nose, with z to the right and r upwards. 1 right above, 2 left above, 3 left below, 4 right below,
+    /// 5 left, 6 above, 7 right, 8 below, 9 at the centre itself.
+    #[serde(default)]
+    pub orientation: u8,
+    /// For every segment of [`Self::insert`]: it is an edge that cuts.
+    #[serde(default)]
+    pub cutting: Vec<bool>,
+}
+
+/// What a tool is for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Default, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ToolKind {
+    /// Turning outside along the contour, with a pointed or a round insert.
+    #[default]
+    Turning,
+    /// Grooving and parting off outside.
+    Grooving,
+    /// Threads outside.
+    Threading,
+    /// Turning a bore.
+    Boring,
+    /// Grooves in a bore.
+    BoreGrooving,
+    /// Threads in a bore.
+    BoreThreading,
+    /// Drilling on the axis.
+    Drill,
+}
+
+impl ToolKind {
+    /// Works in a bore or makes it.
+    #[must_use]
+    pub const fn is_inside(self) -> bool {
+        matches!(self, Self::Boring | Self::BoreGrooving | Self::BoreThreading | Self::Drill)
+    }
+
+    /// Follows a contour: turning or boring.
+    #[must_use]
+    pub const fn follows_contours(self) -> bool {
+        matches!(self, Self::Turning | Self::Boring)
+    }
+}
+
+impl ToolOutline {
+    /// Cuts while it travels along the contour towards the headstock.
+    #[must_use]
+    pub const fn cuts_towards_headstock(&self) -> bool {
+        self.kind.follows_contours() && !matches!(self.orientation, 1 | 4 | 7)
+    }
+
+    /// Cuts while it travels along the contour away from the headstock.
+    #[must_use]
+    pub const fn cuts_away_from_headstock(&self) -> bool {
+        self.kind.follows_contours() && !matches!(self.orientation, 2 | 3 | 5)
+    }
+
+    /// Cuts the free end's face while it travels towards the axis.
+    #[must_use]
+    pub const fn cuts_face(&self) -> bool {
+        matches!(self.kind, ToolKind::Turning | ToolKind::Grooving) && matches!(self.orientation, 3 | 5 | 8 | 9)
+    }
+
+    /// Every edge that cuts.
+    pub fn cutting_edges(&self) -> impl Iterator<Item = &Segment> {
+        self.insert.segments.iter().zip(&self.cutting).filter(|(_, cuts)| **cuts).map(|(segment, _)| segment)
+    }
+}
 
 /// The outline of every tool in the machine's turret, by station. A station whose tool is not in the catalog has none.
 #[must_use]
@@ -16,8 +105,32 @@ impl Tool {
     #[must_use]
     pub fn outline(&self) -> ToolOutline {
         let holder: Vec<Point> = self.holder.iter().map(|&[z, r]| Point::new(z, r)).collect();
-        ToolOutline { insert: self.shape.insert(), holder: Contour::polygon(&holder) }
+        let insert = self.shape.insert();
+        let (kind, orientation) = match self.shape {
+            ToolShape::Turning { hand: Hand::Right, .. } => (ToolKind::Turning, 3),
+            ToolShape::Turning { hand: Hand::Left, .. } => (ToolKind::Turning, 4),
+            ToolShape::Threading { .. } => (ToolKind::Threading, 8),
+            ToolShape::Parting { .. } => (ToolKind::Grooving, 3),
+        };
+        let (nose_radius, nose_center) = match insert.segments.first() {
+            Some(&Segment::Arc { start, center, .. }) => (start.distance(center), center),
+            _ => (0.0, Point::default()),
+        };
+        let cutting = cutting(&insert, kind);
+        ToolOutline { insert, holder: Contour::polygon(&holder), kind, nose_radius, nose_center, orientation, cutting }
     }
+}
+
+/// The nose and the edges beside it; of a blade its front edge with both noses. The nose is the first segment.
+fn cutting(insert: &Contour, kind: ToolKind) -> Vec<bool> {
+    let count = insert.segments.len();
+    let rounded = matches!(insert.segments.first(), Some(Segment::Arc { .. }));
+    let front = match kind {
+        ToolKind::Grooving if rounded => 3,
+        ToolKind::Grooving => 1,
+        _ => 2,
+    };
+    (0..count).map(|i| i < front || (kind != ToolKind::Grooving && i + 1 == count)).collect()
 }
 
 impl ToolShape {
@@ -68,6 +181,10 @@ fn threading_insert(nose_radius: f64, corner_angle: f64, edge_length: f64) -> Co
 
 /// A blade from the origin to `width` and `depth` with two rounded corners at its edge.
 fn parting_blade(width: f64, nose_radius: f64, depth: f64) -> Contour {
+    if nose_radius == 0.0 {
+        let corners = [(0.0, 0.0), (width, 0.0), (width, depth), (0.0, depth)];
+        return Contour::polygon(&corners.map(|(z, r)| Point::new(z, r)));
+    }
     let (left, right) = (Point::new(nose_radius, nose_radius), Point::new(width - nose_radius, nose_radius));
     let up = std::f64::consts::FRAC_PI_2;
     let mut segments = vec![nose_arc(left, nose_radius, up, 0.0)];
@@ -193,7 +310,7 @@ mod tests {
 
     #[test]
     fn right_hand_tool_clears_a_square_wall_and_a_45_degree_line() {
-        let ToolOutline { insert, holder } = shipped("orac-right");
+        let ToolOutline { insert, holder, .. } = shipped("orac-right");
         for p in holder.polyline(FINE) {
             assert!(p.r > WALL || p.z > 0.5, "holder at {p:?} is too near the wall at z = 0");
             assert!(p.r > WALL || p.r - p.z > 0.5, "holder at {p:?} is too near the 45-degree line");
@@ -207,7 +324,7 @@ mod tests {
 
     #[test]
     fn parting_blade_is_3_mm_wide_and_reaches_the_centre_of_the_largest_bar() {
-        let ToolOutline { insert, holder } = shipped("orac-part-off");
+        let ToolOutline { insert, holder, .. } = shipped("orac-part-off");
         let Bounds { min, max } = insert.bounds().unwrap();
         assert_eq!((min.z, max.z), (0.0, 3.0));
         assert!(max.r >= 20.0 && holder.bounds().unwrap().min.r >= 20.0);

@@ -3,6 +3,7 @@
 mod header;
 pub mod orac;
 
+use crate::diagnostic::{Diagnostic, Place};
 use crate::machine::{Dialect, Machine};
 use crate::turning::{CutterPath, OperationKind};
 use crate::units::Unit;
@@ -35,7 +36,15 @@ pub fn post(name: &str, path: &CutterPath, options: &Options, header: &Header, m
     let _ = header;
     match machine.dialect {
         Dialect::Orac => orac::post(name, path, options, machine),
+        Dialect::Fanuc | Dialect::Linuxcnc => {
+            PostOutput { diagnostics: vec![no_post(machine)], ..PostOutput::default() }
+        }
     }
+}
+
+fn no_post(machine: &Machine) -> Diagnostic {
+    let message = format!("Programs in the language of {} cannot be written yet.", machine.name);
+    Diagnostic::error("no-post", Place::Machine { id: machine.id.clone() }, message)
 }
 
 /// A program for a control, ready to be sent or saved.
@@ -85,5 +94,5 @@ pub struct PostOutput {
     /// Files for people and other programs.
     pub side_files: Vec<SideFile>,
     /// What the post has to say.
-    pub diagnostics: Vec<crate::diagnostic::Diagnostic>,
+    pub diagnostics: Vec<Diagnostic>,
 }

@@ -12,6 +12,7 @@ use super::{limits, structure};
 use crate::cancel::{Cancel, Cancelled};
 use crate::diagnostic::Severity;
 use crate::geometry::{Point, Segment};
+use crate::machine::Axis;
 
 /// A program's increments may miss its datum by this much, mm, before it counts as not closed: each is rounded to 0.001, and
 /// the published programs add up to 0.001.
@@ -174,7 +175,7 @@ impl Sink for Run<'_> {
 impl Run<'_> {
     /// The first datum is reached from the program zero, as published; its path is not known, so it only takes time.
     fn datum(&mut self, place: Place, from: Option<Point>, to: Point, findings: &mut Findings) {
-        let feed = self.input.machine.rapid_feed_mm_per_min;
+        let feed = self.input.machine.rapid_mm_per_min(Axis::Z);
         let zero = Point::new(zero_z(self.input), 0.0);
         let lasts_s = seconds(from.unwrap_or(zero).distance(to), feed);
         let path = Segment::line(from.unwrap_or(to), to);
@@ -188,7 +189,7 @@ impl Run<'_> {
         limits::check_move(&path, feed, rpm, machine, place, findings);
         self.travel.cover(&path, machine, place, findings);
         self.change_tool(place, path.start(), tool, rpm, findings);
-        let motion = if feed >= self.input.machine.rapid_feed_mm_per_min { Motion::Rapid } else { Motion::Feed };
+        let motion = if machine.counts_as_rapid(feed) { Motion::Rapid } else { Motion::Feed };
         self.cut_and_play(
             place,
             Played { path, motion, tool, feed, rpm, lasts_s: seconds(path.length(), feed) },
@@ -273,7 +274,7 @@ impl Run<'_> {
         last_of: Option<u32>,
         findings: &mut Findings,
     ) {
-        let (rapid, rpm, from) = (self.input.machine.rapid_feed_mm_per_min, thread.rpm, thread.from);
+        let (rapid, rpm, from) = (self.input.machine.rapid_mm_per_min(Axis::Z), thread.rpm, thread.from);
         let near = Point::new(from.z, radius);
         let far = Point::new(thread.to_z, radius);
         let out = Point::new(thread.to_z, from.r);

@@ -16,7 +16,7 @@ pub mod write;
 
 use super::{BlockInfo, Options, PostOutput, Program, SideFile};
 use crate::diagnostic::{Diagnostic, Place};
-use crate::machine::Machine;
+use crate::machine::{Axis, Machine};
 use crate::turning::{CutMove, CutterPath};
 use assemble::{Block, assemble};
 pub use compress::compress;
@@ -29,7 +29,7 @@ pub use text::{instructions_text, parse_instructions};
 /// The programs and instruction files of one set-up. `name` is the item's name; numbers are appended to it.
 #[must_use]
 pub fn post(name: &str, path: &CutterPath, options: &Options, machine: &Machine) -> PostOutput {
-    let plain = files(path, machine.rapid_feed_mm_per_min);
+    let plain = files(path, machine.rapid_mm_per_min(Axis::Z));
     let mut side_files: Vec<SideFile> = plain.iter().map(|f| side_file(name, "anc", f)).collect();
     let used = if options.optimize { plain.iter().map(shortened).collect() } else { plain };
     if options.optimize {

@@ -4,7 +4,8 @@ use super::*;
 use crate::cancel::Cancel;
 
 use crate::machine::{
-    Chuck, DatumRule, Dialect, FlowControl, Limits, Machine, Parity, SerialProfile, SpindleRule, ToolOutline,
+    Chuck, DatumRule, Dialect, Directions, FlowControl, Limits, Machine, Parity, SerialProfile, SpeedRule, Spindle,
+    ToolOutline, TurretSide, ZeroEnd,
 };
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -29,10 +30,32 @@ pub(super) fn machine() -> Machine {
             spindle_max_rpm: 2000.0,
             blocks_per_program: 99,
         },
-        spindle: SpindleRule { at_center_rpm: 2000.0, per_mm_radius_rpm: 60.0, thread_feed_mm_per_min: 700.0 },
-        datum: DatumRule { radial_clearance_mm: 2.0, axial_clearance_mm: 20.0 },
-        chuck: Chuck { radius_mm: 30.0, depth_mm: 30.0, gap_mm: 10.0, grip_mm: 30.0, automatic_grip_mm: 50.0 },
-        rapid_feed_mm_per_min: 1000.0,
+        spindle: Spindle {
+            speed: SpeedRule::Radius { at_center_rpm: 2000.0, per_mm_radius_rpm: 60.0 },
+            min_rpm: 1.0,
+            thread_feed_mm_per_min: 700.0,
+            power_kw: None,
+            full_power_rpm: None,
+            efficiency: 0.8,
+            ranges: Vec::new(),
+        },
+        datum: DatumRule { radial_clearance_mm: 2.0, axial_clearance_mm: 20.0, zero: ZeroEnd::FreeEnd },
+        chuck: Chuck {
+            radius_mm: 30.0,
+            depth_mm: 30.0,
+            gap_mm: 10.0,
+            grip_mm: 30.0,
+            automatic_grip_mm: 50.0,
+            cuts: Directions::Both,
+        },
+        rapid_feed_mm_per_min: Some(1000.0),
+        turret_side: TurretSide::Rear,
+        words: None,
+        motion: None,
+        rest: None,
+        mandrel: None,
+        tailstock: None,
+        cost: None,
         tool_change_s: 4.0,
         tools: Vec::new(),
         serial: SerialProfile {
@@ -56,18 +79,22 @@ pub(super) fn tools() -> BTreeMap<u32, ToolOutline> {
     let right = ToolOutline {
         insert: polygon(&[(0.0, 0.0), (5.0, 4.0), (5.0, 10.0), (0.0, 6.0)]),
         holder: polygon(&[(0.5, 8.0), (12.0, 8.0), (12.0, 60.0), (0.5, 60.0)]),
+        ..ToolOutline::default()
     };
     let left = ToolOutline {
         insert: polygon(&[(0.0, 0.0), (0.0, 6.0), (-5.0, 10.0), (-5.0, 4.0)]),
         holder: polygon(&[(-12.0, 8.0), (-0.5, 8.0), (-0.5, 60.0), (-12.0, 60.0)]),
+        ..ToolOutline::default()
     };
     let thread = ToolOutline {
         insert: polygon(&[(0.0, 0.0), (2.886_75, 5.0), (-2.886_75, 5.0)]),
         holder: polygon(&[(-6.0, 5.0), (6.0, 5.0), (6.0, 60.0), (-6.0, 60.0)]),
+        ..ToolOutline::default()
     };
     let parting = ToolOutline {
         insert: polygon(&[(0.0, 0.0), (3.0, 0.0), (3.0, 20.0), (0.0, 20.0)]),
         holder: polygon(&[(-1.0, 20.0), (8.0, 20.0), (8.0, 60.0), (-1.0, 60.0)]),
+        ..ToolOutline::default()
     };
     BTreeMap::from([(1, right), (2, left), (3, thread), (4, parting)])
 }

@@ -66,7 +66,8 @@ fn work() -> Work {
 fn prove_listing(text: &str) -> ProofReport {
     let insert = polygon(&[(0.0, 0.0), (1.0, 15.0), (0.0, 15.0)]);
     let holder = polygon(&[(0.0, 15.0), (1.0, 15.0), (1.0, 60.0), (0.0, 60.0)]);
-    let tools = std::collections::BTreeMap::from([(1, crate::machine::ToolOutline { insert, holder })]);
+    let tools =
+        std::collections::BTreeMap::from([(1, crate::machine::ToolOutline { insert, holder, ..Default::default() })]);
     prove_input(&ProofInput { tools: Arc::new(tools), ..with_work(&[text], work()) })
 }
 

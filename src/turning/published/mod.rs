@@ -30,7 +30,7 @@ use super::{CutMove, CutterPath, Operation, OperationKind};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::TurnedPart;
 use crate::geometry::Point;
-use crate::machine::{Machine, Material};
+use crate::machine::{Machine, Material, OracData};
 use crate::part::Setup;
 use plan::Plan;
 use surface::Surface;
@@ -59,17 +59,18 @@ pub fn generate(
         setup.bar_radius + machine.datum.radial_clearance_mm,
     );
     let mut path = CutterPath { datum, program_zero_z: setup.length, operations: Vec::new() };
-    let mut diagnostics = check_material(material_mm);
+    let Some(figures) = material_mm.orac else { return (path, vec![no_figures(material_mm)]) };
+    let mut diagnostics = check_material(&material_mm.name, &figures);
     let segments = profile_lines::segments(setup, part_mm, machine);
     let known = datum.is_finite() && segments.iter().all(|s| s.start().is_finite() && s.end().is_finite());
     if !diagnostics.is_empty() || segments.is_empty() || !known {
         return (path, diagnostics);
     }
     let surface = Surface::new(&segments).clipped(setup.machined_from_z, setup.length);
-    let plan = Plan::new(surface, datum, setup.bar_radius, machine, material_mm);
+    let plan = Plan::new(surface, datum, setup.bar_radius, machine, &figures);
     path.operations = operations(&plan, setup);
     diagnostics.extend(check_stations(&path, machine));
-    diagnostics.extend(check_part_off_feed(setup, machine, material_mm));
+    diagnostics.extend(check_part_off_feed(setup, machine, &material_mm.name, &figures));
     (path, diagnostics)
 }
 
@@ -95,8 +96,14 @@ fn operations(plan: &Plan, setup: &Setup) -> Vec<Operation> {
     all
 }
 
+fn no_figures(material: &Material) -> Diagnostic {
+    let message = format!("The published generator has no feeds and depths for {}.", material.name);
+    Diagnostic::error("material-figure", Place::Document, message)
+        .with_hint("Choose a material of its table, or add a row `orac` to this material.")
+}
+
 /// Figures that must be above zero before anything can be cut.
-fn check_material(material: &Material) -> Vec<Diagnostic> {
+fn check_material(name_of_material: &str, material: &OracData) -> Vec<Diagnostic> {
     let figures = [
         ("feed of travel", material.feed_travel, "mm/min"),
         ("feed of cutting", material.feed_cut, "mm/min"),
@@ -108,7 +115,7 @@ fn check_material(material: &Material) -> Vec<Diagnostic> {
     let wrong = figures.into_iter().filter(|(_, value, _)| !(value.is_finite() && *value > 0.0));
     wrong
         .map(|(name, value, unit)| {
-            let message = format!("The {name} of {} is {value} {unit}; it must be more than 0 {unit}.", material.name);
+            let message = format!("The {name} of {name_of_material} is {value} {unit}; it must be more than 0 {unit}.");
             Diagnostic::error("material-figure", Place::Document, message)
                 .with_hint("Correct the row in the material table.")
         })
@@ -129,12 +136,12 @@ fn check_stations(path: &CutterPath, machine: &Machine) -> Vec<Diagnostic> {
         .collect()
 }
 
-fn check_part_off_feed(setup: &Setup, machine: &Machine, material: &Material) -> Option<Diagnostic> {
-    let (feed, lowest) = (material.feed_part_off, machine.limits.feed_min_mm_per_min);
+fn check_part_off_feed(setup: &Setup, machine: &Machine, material: &str, figures: &OracData) -> Option<Diagnostic> {
+    let (feed, lowest) = (figures.feed_part_off, machine.limits.feed_min_mm_per_min);
     (setup.part_off_width.is_some() && feed < lowest).then(|| {
         let message = format!(
-            "Parting off {} needs a feed of {feed} mm/min; the lowest feed of {} is {lowest} mm/min.",
-            material.name, machine.name
+            "Parting off {material} needs a feed of {feed} mm/min; the lowest feed of {} is {lowest} mm/min.",
+            machine.name
         );
         Diagnostic::warning("part-off-feed", Place::Tool { station: station::PARTING }, message)
             .with_hint("Part off by hand, or switch parting off out in the part's settings.")

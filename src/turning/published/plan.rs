@@ -3,7 +3,7 @@
 use super::envelope::{Envelope, Shadow};
 use super::surface::Surface;
 use crate::geometry::{Point, Segment, Vector};
-use crate::machine::{Machine, Material};
+use crate::machine::{Machine, OracData};
 use crate::turning::{Cut, CutMove};
 
 /// Smallest step of the control's numbers, mm. Depths are multiples of it, so that the passes of a loop are equal.
@@ -15,7 +15,7 @@ pub(super) const FINISHING_PASSES: u32 = 2;
 /// One set-up seen by the generator, mm.
 pub(super) struct Plan<'a> {
     pub(super) machine: &'a Machine,
-    pub(super) material: &'a Material,
+    pub(super) material: &'a OracData,
     /// Where every operation begins and ends.
     pub(super) datum: Point,
     pub(super) bar_radius: f64,
@@ -35,7 +35,7 @@ impl<'a> Plan<'a> {
         datum: Point,
         bar_radius: f64,
         machine: &'a Machine,
-        material: &'a Material,
+        material: &'a OracData,
     ) -> Self {
         let right = Envelope::of(&surface);
         let left = Envelope::of(&surface.mirrored());
@@ -64,10 +64,11 @@ impl<'a> Plan<'a> {
         self.right.shadows.iter().filter(|s| s.is_worth_cutting())
     }
 
-    /// Spindle speed for cutting at `radius`, within what the machine can do.
+    /// Spindle speed for cutting at `radius`, within what the machine can do; the highest one on a machine whose speed does
+    /// not follow the radius.
     pub(super) fn rpm(&self, radius: f64) -> f64 {
-        let rule = &self.machine.spindle;
-        (rule.at_center_rpm - rule.per_mm_radius_rpm * radius).clamp(0.0, self.machine.limits.spindle_max_rpm)
+        let highest = self.machine.limits.spindle_max_rpm;
+        self.machine.spindle.rpm_by_radius(radius).map_or(highest, |rpm| rpm.min(highest))
     }
 
     /// Moves from the datum.
