@@ -25,3 +25,4 @@ pub use profile::{Curve, Parabola, ParabolaAxis, PartContour, Piece, PieceRole, 
 pub use reach::{IGNORED_HEIGHT_MM, UnreachableArea, unreachable};
 pub use section::{Section, SectionKind};
 pub use setups::{PART_OFF_WIDTH_MM, setups};
+pub use shape::row_curve;

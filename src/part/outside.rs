@@ -14,19 +14,50 @@ const NO_SECTION: u32 = 0;
 /// usable row leaves the bar as it is.
 pub(super) fn outside(sections: &[Section], length: f64, bar_radius: f64) -> Vec<Piece> {
     let surfaces = surfaces(sections);
+    let walls = walls(sections);
     let runs = lowest(&surfaces, 0.0, length);
     let mut pieces: Vec<Piece> = Vec::with_capacity(runs.len());
     for (index, run) in runs.iter().enumerate() {
         let next = runs.get(index + 1).and_then(|run| run.surface.map(|s| (s, run.z1)));
         let piece = piece_of(run, pieces.last(), next, bar_radius);
-        append(&mut pieces, piece);
+        append(&mut pieces, piece, &walls);
+    }
+    pieces
+}
+
+/// The rows that stand for a face each. They shape nothing, but the face between their neighbours is their piece.
+pub(super) fn walls(sections: &[Section]) -> Vec<Section> {
+    sections.iter().filter(|s| shape::is_face_row(s) && shape::curve(s).is_ok()).cloned().collect()
+}
+
+/// The face of the profile at `from.z` from one radius to another, divided among the rows that stand for it, in the order
+/// of the table; what no row claims belongs to `section`.
+pub(super) fn faces(walls: &[Section], from: Point, to_r: f64, section: u32) -> Vec<Piece> {
+    let face = |from: Point, r: f64, section| Piece {
+        curve: Curve::line(from, Point::new(from.z, r)),
+        section,
+        role: PieceRole::Face,
+    };
+    let mut at = from;
+    let mut pieces = Vec::new();
+    for wall in walls.iter().filter(|w| (w.z1 - from.z).abs() <= SAME_PLACE_MM) {
+        let r = (wall.d2 / 2.0).clamp(at.r.min(to_r), at.r.max(to_r));
+        if (r - at.r).abs() > SAME_PLACE_MM {
+            // A last sliver is rounding of the table and no face of its own.
+            let r = if (r - to_r).abs() <= SAME_PLACE_MM { to_r } else { r };
+            pieces.push(face(at, r, wall.id));
+            at.r = r;
+        }
+    }
+    if (at.r - to_r).abs() > SAME_PLACE_MM {
+        pieces.push(face(at, to_r, section));
     }
     pieces
 }
 
 /// The surfaces of all rows that have one, in order of position.
 fn surfaces(sections: &[Section]) -> Vec<Surface> {
-    let mut surfaces: Vec<Surface> = sections.iter().filter_map(surface).collect();
+    let mut surfaces: Vec<Surface> = sections.iter().filter(|s| !shape::is_face_row(s)).filter_map(surface).collect();
     surfaces.sort_by(|a, b| a.curve.start().z.total_cmp(&b.curve.start().z));
     surfaces
 }
@@ -63,7 +94,7 @@ fn piece_of(run: &Run<'_>, before: Option<&Piece>, next: Option<(&Surface, f64)>
 }
 
 /// Adds a piece, with a face before it where the radius steps.
-fn append(pieces: &mut Vec<Piece>, piece: Piece) {
+fn append(pieces: &mut Vec<Piece>, piece: Piece, walls: &[Section]) {
     let Some(end) = pieces.last().map(Piece::end) else {
         pieces.push(piece);
         return;
@@ -71,7 +102,7 @@ fn append(pieces: &mut Vec<Piece>, piece: Piece) {
     if (end.r - piece.start().r).abs() <= SAME_PLACE_MM {
         pieces.push(Piece { curve: piece.curve.starting_at(end), ..piece });
     } else {
-        pieces.push(Piece { curve: Curve::line(end, piece.start()), section: piece.section, role: PieceRole::Face });
+        pieces.extend(faces(walls, end, piece.start().r, piece.section));
         pieces.push(piece);
     }
 }
@@ -91,6 +122,34 @@ mod tests {
         let rows = [Section::line(1, 0.0, 20.0, 10.0, 20.0), Section::line(2, 10.0, 12.0, 30.0, 12.0)];
         let pieces = outside(&rows, 30.0, 13.0);
         assert_eq!(roles(&pieces), [(1, PieceRole::Surface), (2, PieceRole::Face), (2, PieceRole::Surface)]);
+    }
+
+    #[test]
+    fn face_rows_are_the_faces_that_they_describe() {
+        let rows = [
+            Section::line(1, 0.0, 20.0, 10.0, 20.0),
+            Section::line(2, 10.0, 20.0, 10.0, 16.0),
+            Section::line(3, 10.0, 16.0, 10.0, 12.0),
+            Section::line(4, 10.0, 12.0, 30.0, 12.0),
+        ];
+        let pieces = outside(&rows, 30.0, 13.0);
+        let expected = [(1, PieceRole::Surface), (2, PieceRole::Face), (3, PieceRole::Face), (4, PieceRole::Surface)];
+        assert_eq!(roles(&pieces), expected);
+        assert_eq!(pieces[1].end(), Point::new(10.0, 8.0));
+        let without: Vec<Section> = rows.iter().filter(|r| r.id == 1 || r.id == 4).cloned().collect();
+        assert_eq!(outside(&without, 30.0, 13.0)[1].end(), pieces[2].end());
+    }
+
+    #[test]
+    fn a_face_row_that_goes_too_far_is_cut_off_at_its_neighbours() {
+        let rows = [
+            Section::line(1, 0.0, 20.0, 10.0, 20.0),
+            Section::line(2, 10.0, 24.0, 10.0, 4.0),
+            Section::line(3, 10.0, 12.0, 30.0, 12.0),
+        ];
+        let pieces = outside(&rows, 30.0, 13.0);
+        assert_eq!((pieces[1].start().r, pieces[1].end().r), (10.0, 6.0));
+        assert_eq!(pieces.len(), 3);
     }
 
     #[test]

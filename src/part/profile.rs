@@ -40,7 +40,8 @@ pub enum ParabolaAxis {
 pub struct Piece {
     /// The curve, from smaller to larger z (a face: in the order of travel along the profile).
     pub curve: Curve,
-    /// Row that the piece belongs to; a face belongs to the row on its far side from the clamped end.
+    /// Row that the piece belongs to; a face belongs to its own row if
+    /// the table has one, else to the row on its far side from the clamped end.
     pub section: u32,
     /// What the piece is.
     pub role: PieceRole,

@@ -26,7 +26,7 @@ pub struct Section {
 /// The six section types of the turned-part table.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SectionKind {
-    /// A straight line: cylinder or taper.
+    /// A straight line: cylinder or taper; with both positions equal a wall square to the spindle.
     Line,
     /// A circular arc that is hollow seen from outside (its centre lies outside the part).
     Concave {

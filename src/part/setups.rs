@@ -1,9 +1,9 @@
 //! The clampings of a part: what is machined in each, from what stock, and how it is held.
 
-use super::outside::outside;
+use super::outside::{faces, outside, walls};
 use super::shape::{self, is_usable};
 use super::split::split;
-use super::{Curve, Piece, PieceRole, Profile, SectionKind, Setup, ThreadSpec, contour};
+use super::{Curve, Piece, PieceRole, Profile, Section, SectionKind, Setup, ThreadSpec, contour};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::{Ends, TurnedPart};
 use crate::geometry::{Contour, Point, Segment};
@@ -46,6 +46,8 @@ fn part_off_ignored() -> Diagnostic {
 /// A part with usable figures, in document positions.
 struct Blank {
     pieces: Vec<Piece>,
+    /// Rows that stand for a face each.
+    walls: Vec<Section>,
     threads: Vec<ThreadSpec>,
     length: f64,
     bar_radius: f64,
@@ -59,7 +61,7 @@ impl Blank {
         let widest = part.sections.iter().filter_map(|s| positive(s.d1.max(s.d2))).fold(0.0, f64::max);
         let bar_radius = positive(part.bar_diameter).unwrap_or(widest) / 2.0;
         let pieces = outside(&part.sections, length, bar_radius);
-        Some(Self { pieces, threads: threads(part, length), length, bar_radius })
+        Some(Self { pieces, walls: walls(&part.sections), threads: threads(part, length), length, bar_radius })
     }
 
     fn one_end(&self, machine: &Machine, part_off: bool) -> Setup {
@@ -72,7 +74,7 @@ impl Blank {
         let chuck_face_z = -machine.chuck.gap_mm - width;
         Setup {
             suffix: String::new(),
-            profile: with_end_face(pieces),
+            profile: self.with_end_face(pieces),
             threads: self.threads.clone(),
             machined_from_z: -width,
             length: self.length,
@@ -87,7 +89,7 @@ impl Blank {
     fn first_end(&self, machine: &Machine, split: f64) -> Setup {
         Setup {
             suffix: "A".to_owned(),
-            profile: with_end_face(self.pieces.clone()),
+            profile: self.with_end_face(self.pieces.clone()),
             threads: clipped(&self.threads, split, self.length),
             machined_from_z: split,
             length: self.length,
@@ -103,6 +105,7 @@ impl Blank {
         let turned = Self {
             pieces: self.pieces.iter().rev().map(|piece| piece.turned_round(self.length)).collect(),
             threads: self.threads.iter().rev().map(|thread| thread.turned_round(self.length)).collect(),
+            walls: self.walls.iter().rev().map(|wall| turned_round(wall, self.length)).collect(),
             ..*self
         };
         let machined_from_z = self.length - split;
@@ -111,13 +114,21 @@ impl Blank {
             threads: clipped(&turned.threads, machined_from_z, self.length),
             machined_from_z,
             stock: turned.half_finished(machined_from_z),
-            profile: with_end_face(turned.pieces),
+            profile: turned.with_end_face(turned.pieces.clone()),
             length: self.length,
             bar_radius: self.bar_radius,
             chuck_face_z: machined_from_z - machine.chuck.gap_mm,
             part_off_width: None,
             turned_round: true,
         }
+    }
+
+    /// The profile of pieces with a face down to the axis at the free end.
+    fn with_end_face(&self, mut pieces: Vec<Piece>) -> Profile {
+        if let Some(last) = pieces.last().copied() {
+            pieces.extend(faces(&self.walls, last.end(), 0.0, last.section));
+        }
+        Profile { pieces }
     }
 
     /// Outline of the material with its finished outside up to `z` and the bar beyond.
@@ -140,13 +151,9 @@ impl Blank {
     }
 }
 
-/// The profile of pieces with a face down to the axis at the free end.
-fn with_end_face(mut pieces: Vec<Piece>) -> Profile {
-    if let Some(last) = pieces.last().copied().filter(|last| last.end().r > 0.0) {
-        let curve = Curve::line(last.end(), Point::new(last.end().z, 0.0));
-        pieces.push(Piece { curve, section: last.section, role: PieceRole::Face });
-    }
-    Profile { pieces }
+/// A face row in the space of the other end of a part of `length` mm.
+fn turned_round(wall: &Section, length: f64) -> Section {
+    Section { z1: length - wall.z2, d1: wall.d2, z2: length - wall.z1, d2: wall.d1, ..wall.clone() }
 }
 
 /// The bar from `z1` to `z2`, counter-clockwise.
@@ -210,7 +217,6 @@ impl ThreadSpec {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::part::Section;
     use crate::part::fixtures;
 
     fn made(part: &TurnedPart) -> (Vec<Setup>, Vec<Diagnostic>) {

@@ -18,7 +18,7 @@ const TABLE_FIGURE_MM: f64 = 1e-3;
 pub(super) enum ShapeFault {
     /// A figure is not a number, infinite or beyond [`LARGEST_FIGURE_MM`].
     Unusable,
-    /// The second position is not beyond the first one.
+    /// The second position is not beyond the first one, and the row is no wall either.
     Order,
     /// A diameter is negative.
     NegativeDiameter,
@@ -68,17 +68,34 @@ pub(super) fn is_usable(value: f64) -> bool {
     value.is_finite() && value.abs() <= LARGEST_FIGURE_MM
 }
 
+/// The exact curve of one row of the table, lengths in mm; `None` if it has none, which [`check()`](super::check()) reports.
+#[must_use]
+pub fn row_curve(section_mm: &Section) -> Option<Curve> {
+    curve(section_mm).ok()
+}
+
+/// True for a line square to the spindle: a wall from one diameter to another at one position.
+pub(super) fn is_face_row(section: &Section) -> bool {
+    section.kind == SectionKind::Line
+        && (section.z2 - section.z1).abs() <= SAME_PLACE_MM
+        && (section.d2 - section.d1).abs() > SAME_PLACE_MM
+}
+
 /// The exact curve of a row in mm, from its first to its second position.
 pub(super) fn curve(section: &Section) -> Result<Curve, ShapeFault> {
     let (start, end) = ends(section);
     if ![section.z1, section.d1, section.z2, section.d2].into_iter().all(is_usable) {
         return Err(ShapeFault::Unusable);
     }
-    if end.z - start.z <= SAME_PLACE_MM {
+    let face = is_face_row(section);
+    if end.z - start.z <= SAME_PLACE_MM && !face {
         return Err(ShapeFault::Order);
     }
     if section.d1 < 0.0 || section.d2 < 0.0 {
         return Err(ShapeFault::NegativeDiameter);
+    }
+    if face {
+        return Ok(Curve::line(start, Point::new(start.z, end.r)));
     }
     let curve = match section.kind {
         SectionKind::Line | SectionKind::Thread { .. } => Curve::line(start, end),
@@ -189,10 +206,17 @@ mod tests {
     }
 
     #[test]
+    fn a_line_at_one_position_is_a_wall() {
+        let wall = curve(&section(20.0, 1e-9, 12.0, SectionKind::Line)).unwrap();
+        assert_eq!((wall.start(), wall.end()), (Point::new(0.0, 10.0), Point::new(0.0, 6.0)));
+    }
+
+    #[test]
     fn faults_name_their_reason() {
         let of = |s: Section| curve(&s).unwrap_err();
         assert_eq!(of(section(f64::NAN, 1.0, 1.0, SectionKind::Line)), ShapeFault::Unusable);
         assert_eq!(of(section(1.0, 0.0, 1.0, SectionKind::Line)), ShapeFault::Order);
+        assert_eq!(of(section(1.0, 0.0, 4.0, SectionKind::Convex { radius: 3.0 })), ShapeFault::Order);
         assert_eq!(of(section(-1.0, 1.0, 1.0, SectionKind::Line)), ShapeFault::NegativeDiameter);
         let concave = |radius| SectionKind::Concave { radius };
         assert_eq!(of(section(10.0, 10.0, 10.0, concave(4.0))), ShapeFault::ArcImpossible { chord: 10.0 });

@@ -25,6 +25,7 @@ mod taper;
 mod thread_base;
 mod tolerances;
 mod travel;
+mod wall;
 
 #[cfg(test)]
 mod test_table;
@@ -32,7 +33,7 @@ mod test_table;
 use super::check::Rule;
 
 /// All rules, in the order of their messages.
-pub(super) const RULES: [Rule; 25] = [
+pub(super) const RULES: [Rule; 26] = [
     figures::check,
     stock::check,
     no_sections::check,
@@ -40,6 +41,7 @@ pub(super) const RULES: [Rule; 25] = [
     negative_diameter::check,
     gap::check,
     overlap::check,
+    wall::check,
     outside_part::check,
     machined_away::check,
     arc_impossible::check,

@@ -2,13 +2,13 @@
 
 use crate::diagnostic::{Column, Diagnostic};
 use crate::part::check::{Row, Table};
-use crate::part::shape::SAME_PLACE_MM;
+use crate::part::shape::{SAME_PLACE_MM, is_face_row};
 
 /// Rows that begin before another one has ended.
 pub(super) fn check(table: &Table<'_>) -> Vec<Diagnostic> {
     let mut reaching: Option<(&Row, f64)> = None;
     let mut found = Vec::new();
-    for (row, z1, z2) in table.ranges() {
+    for (row, z1, z2) in table.ranges().into_iter().filter(|(row, ..)| !is_face_row(&row.section)) {
         if let Some((before, end)) = reaching.filter(|(_, end)| z1 < end - SAME_PLACE_MM) {
             found.push(report(table, row, before, end.min(z2) - z1));
         }
