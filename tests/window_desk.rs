@@ -9,6 +9,7 @@ use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use turnwright::app::{Action, Pane, Surroundings};
 use turnwright::diagnostic::Severity;
+use turnwright::post::orac::{Instruction, compress};
 use turnwright::proof::BlockRef;
 use turnwright::session::{Hovered, Verdict};
 use turnwright::transfer::Outcome;
@@ -146,6 +147,50 @@ fn a_program_whose_proof_fails_is_sent_in_a_second_step_only() {
     window.click("Send all the same");
     window.until("sent", |desk| desk.transfer_outcome().is_some());
     assert_eq!(window.desk().transfer_outcome(), Some(&Outcome::SentNotVerified));
+}
+
+#[test]
+fn an_instruction_is_entered_as_on_the_keypad() {
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    let program = window.session().program().cloned().unwrap();
+    let before = compress(&program.text, &program.name).0;
+    window.session().selection.block = Some(4);
+    window.harness.run_steps(2);
+    window.click("+ Insert");
+    window.click("Enter");
+    // X and z are typed; feed, tool and speed are taken over by an empty answer.
+    for answer in ["-0.1", "0.1", "", "", ""] {
+        if !answer.is_empty() {
+            window.harness.event(Event::Text(answer.to_owned()));
+        }
+        window.harness.run_steps(2);
+        window.harness.key_press(Key::Enter);
+        window.harness.run_steps(2);
+    }
+    window.until_current();
+    let program = window.session().program().cloned().unwrap();
+    let after = compress(&program.text, &program.name).0;
+    assert_eq!(after.len(), before.len() + 1);
+    assert!(matches!(after[4], Instruction::Ptp { x: -100, z: 100, .. }), "{:?}", after[4]);
+    assert_eq!(window.session().selection.block, Some(5));
+    window.session().undo();
+    assert!(window.session().part().overrides.is_empty());
+}
+
+#[test]
+fn nothing_is_inserted_into_a_program_that_cannot_be_read() {
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    let name = window.session().program().unwrap().name.clone();
+    window.session().edit_part("by hand", None, |part| {
+        part.overrides.insert(name, "\u{2}PAGE 01 HOVER\r\n\u{2}PAGE 02 END-PROGRAM..M02\r\n".to_owned());
+    });
+    window.until_current();
+    // Its few blocks left, the play goes on in the next program.
+    window.click("QUEEN1");
+    assert_eq!(window.session().program().unwrap().name, "QUEEN1");
+    assert!(window.harness.query_by_label("+ Insert").is_none());
 }
 
 #[test]

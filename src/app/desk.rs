@@ -224,10 +224,19 @@ impl Desk {
         let dropped = ui.input(|i| i.raw.dropped_files.first().map(|file| file.path().to_owned()));
         requests.actions.extend(dropped.map(Action::Open));
         self.frame(ui, &mut requests);
-        dialogs::show(&ctx, &mut self.dialog, &mut requests.actions);
+        self.dialogs(&ctx, &mut requests.actions);
         self.toasts.show(&ctx);
         self.finish(&ctx, requests);
         self.name_window(&ctx);
+    }
+
+    /// Shows the open question. One that is closed without an answer also ends what was to follow a save.
+    fn dialogs(&mut self, ctx: &Context, actions: &mut Vec<Action>) {
+        let (open, asked) = (self.dialog.is_some(), actions.len());
+        dialogs::show(ctx, &mut self.dialog, actions);
+        if open && self.dialog.is_none() && actions.len() == asked {
+            self.after_save = None;
+        }
     }
 
     /// Takes what threads have made since the last frame, and does what the clock asks for.

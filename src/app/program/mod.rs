@@ -46,6 +46,9 @@ pub(crate) fn show(
     titled: bool,
 ) -> bool {
     let program = session.program().cloned();
+    if let Some(program) = &program {
+        view.lines.follow(program);
+    }
     let dragged = title_row(ui, titled.then_some("Program"), "", |ui| {
         if let Some(program) = &program {
             tools(ui, view, session, program);
@@ -56,7 +59,6 @@ pub(crate) fn show(
         ui.label(theme::quiet("There is no program yet.", colors));
         return dragged;
     };
-    view.lines.follow(&program);
     // A text made by hand is part of the document; a generated one must be the present one before it is edited.
     let outdated = session.outdated().filter(|_| !session.part().overrides.contains_key(&program.name));
     if view.mode == Mode::Edit {
@@ -112,7 +114,9 @@ fn tools(ui: &mut Ui, view: &mut ProgramView, session: &mut Session, program: &P
         if toggle(ui, &mut exact, "characters").on_hover_text("Show every character as it is sent").clicked() {
             view.mode = if exact { Mode::Text } else { Mode::Instructions };
         }
-        if link(ui, "+ Insert").on_hover_text("Enter an instruction after the current one").clicked() {
+        if view.lines.are_all_readable()
+            && link(ui, "+ Insert").on_hover_text("Enter an instruction after the current one").clicked()
+        {
             view.entry = Some(EntryView::after(session, &program.text));
         }
     }
