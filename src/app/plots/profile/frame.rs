@@ -1,12 +1,13 @@
 //! What every piece of the profile plot needs in one frame.
 
 use super::ProfileScene;
-use crate::app::plots::canvas::{Screen, grid_step};
+use crate::app::plots::canvas::{Rulers, Screen, grid_step};
 use crate::app::plots::coordinates::Coordinates;
 use crate::app::plots::lines::distance_to_polyline;
 use crate::geometry::{Point, Segment};
 use crate::part::Section;
-use egui::{Id, Pos2, Rect};
+use egui::{Id, Pos2, Rect, Response};
+use std::collections::HashMap;
 
 /// The pointer is on a line within this distance, points.
 const NEAR: f32 = 7.0;
@@ -23,19 +24,33 @@ pub(super) struct Frame<'a> {
     pub(super) free: Rect,
     /// Id that those of all handles follow from.
     pub(super) id: Id,
+    /// Index of every row by its id.
+    rows: HashMap<u32, usize>,
+}
+
+impl<'a> Frame<'a> {
+    /// A frame of `scene` on the canvas `response`.
+    pub(super) fn new(
+        scene: &'a ProfileScene<'a>,
+        screen: Screen,
+        coordinates: Coordinates,
+        response: &Response,
+    ) -> Self {
+        let rows = scene.part.sections.iter().enumerate().map(|(row, s)| (s.id, row)).collect();
+        Self { scene, screen, coordinates, free: Rulers::free(response.rect), id: response.id, rows }
+    }
 }
 
 impl Frame<'_> {
     /// The row with this id.
     pub(super) fn section(&self, id: u32) -> Option<&Section> {
-        self.scene.part.sections.iter().find(|s| s.id == id)
+        self.scene.part.sections.get(*self.rows.get(&id)?)
     }
 
     /// `convex 6`: kind and row number.
     pub(super) fn section_name(&self, id: u32) -> String {
-        let row = self.scene.part.sections.iter().position(|s| s.id == id);
-        row.and_then(|k| self.scene.part.sections.get(k).map(|s| (k + 1, s)))
-            .map_or_else(String::new, |(row, s)| format!("{} {row}", s.kind.name()))
+        let row = self.rows.get(&id).map_or(0, |row| row + 1);
+        self.section(id).map_or_else(String::new, |s| format!("{} {row}", s.kind.name()))
     }
 
     /// True if the row is selected or under the pointer.

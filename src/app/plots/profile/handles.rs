@@ -9,6 +9,7 @@ use crate::app::plots::tip::tip;
 use crate::geometry::{Point, Segment};
 use crate::part::{Section, SectionKind};
 use egui::{CursorIcon, Event, EventFilter, PointerButton, Pos2, Rect, Response, Sense, Stroke, Ui, Vec2};
+use std::collections::HashSet;
 
 /// Size of the area that takes hold of a handle, points.
 const GRIP: f32 = 15.0;
@@ -16,14 +17,16 @@ const GRIP: f32 = 15.0;
 const NODE: f32 = 3.2;
 /// Radius of a node that is selected or under the pointer, points.
 const NODE_STRONG: f32 = 4.8;
+/// Side of the square on the screen in which only one node is shown, points: nearer ones cannot be taken hold of singly.
+const APART: f32 = 4.0;
 /// One press of an arrow key with Alt moves by this part of a grid step.
 const FINE: f64 = 0.1;
 
 /// Lays out all handles, moves what is dragged and says so in `events`.
 pub(super) fn handles(ui: &mut Ui, frame: &Frame<'_>, view: &mut ProfileView, events: &mut Vec<ProfileEvent>) {
     let mut tips = None;
-    for node in nodes(frame.scene.part) {
-        tips = node_handle(ui, frame, view, &node, events).or(tips);
+    for (node, pos) in reachable(frame, view) {
+        tips = node_handle(ui, frame, view, &node, pos, events).or(tips);
     }
     for section in frame.scene.part.sections.iter().filter(|s| frame.is_lit(s.id)) {
         tips = radius_handle(ui, frame, view, section, events).or(tips);
@@ -43,22 +46,40 @@ struct Tip {
     of: Vec<u32>,
 }
 
+/// The nodes that a hand can tell apart on the screen: of those within one small square the first, and always those of
+/// the selected row and the one that is dragged. So there are never more than the screen has room for.
+#[allow(clippy::cast_possible_truncation, reason = "positions on the screen are small")]
+fn reachable(frame: &Frame<'_>, view: &ProfileView) -> Vec<(NodeMove, Pos2)> {
+    let mut taken = HashSet::new();
+    let placed = nodes(frame.scene.part).into_iter().map(|node| {
+        let pos = frame.screen.pos(frame.coordinates.point(node.z, node.diameter));
+        (node, pos)
+    });
+    let seen = placed.filter(|(_, pos)| frame.free.contains(*pos));
+    seen.filter(|(node, pos)| {
+        let free = taken.insert(((pos.x / APART).floor() as i32, (pos.y / APART).floor() as i32));
+        free || is_dragged(view, node) || node.ends.iter().any(|end| frame.scene.selected == Some(end.section))
+    })
+    .collect()
+}
+
+fn is_dragged(view: &ProfileView, node: &NodeMove) -> bool {
+    matches!(&view.drag, Some(Drag::Node { from, .. }) if from.ends == node.ends)
+}
+
 fn node_handle(
     ui: &mut Ui,
     frame: &Frame<'_>,
     view: &mut ProfileView,
     node: &NodeMove,
+    pos: Pos2,
     events: &mut Vec<ProfileEvent>,
 ) -> Option<Tip> {
     let first = node.ends.first()?;
-    let pos = frame.screen.pos(frame.coordinates.point(node.z, node.diameter));
-    if !frame.free.contains(pos) {
-        return None;
-    }
     let of = node_section(frame, node)?;
     let words = node_words(frame, node, of);
     let response = grip(ui, frame.id.with(first), pos, || format!("Node {}, {}", words[0], words[1]));
-    let dragged_now = matches!(&view.drag, Some(Drag::Node { from, .. }) if from.ends == node.ends);
+    let dragged_now = is_dragged(view, node);
     if response.clicked() {
         response.request_focus();
         events.push(ProfileEvent::SelectSection(of));

@@ -152,9 +152,8 @@ pub fn profile_plot(ui: &mut Ui, view: &mut ProfileView, scene: &ProfileScene<'_
     let canvas = canvas::canvas(ui, &mut view.canvas, size, bounds, &name, false);
     let painter = ui.painter_at(canvas.response.rect);
     Rulers { coordinates, grid: true, mirrored: view.full_section }.draw(&painter, &canvas.screen, scene.palette);
-    let free = Rulers::free(canvas.response.rect);
-    let frame = Frame { scene, screen: canvas.screen, coordinates, free, id: canvas.response.id };
-    draw::scenery(&painter.with_clip_rect(free), &frame, view);
+    let frame = Frame::new(scene, canvas.screen, coordinates, &canvas.response);
+    draw::scenery(&painter.with_clip_rect(frame.free), &frame, view);
     let mut events = Vec::new();
     let over_empty = canvas.response.hovered();
     point_at(&frame, view, &canvas, over_empty, &mut events);

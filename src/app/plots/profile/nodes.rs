@@ -70,28 +70,57 @@ fn diameter_of(section: &mut Section, end: End) -> &mut f64 {
 }
 
 /// All nodes of a part, each as a move to where it is, in the order of the table.
+///
+/// Ends are compared in the order of their places, so that the time grows with the length of the table and not with its
+/// square: this is done in every frame.
 pub(super) fn nodes(part: &TurnedPart) -> Vec<NodeMove> {
-    let mut nodes: Vec<NodeMove> = Vec::new();
-    for section in &part.sections {
-        for (end, z, diameter) in ends_of(section) {
-            let this = SectionEnd { section: section.id, end };
-            match nodes.iter_mut().find(|n| near(n.z, z) && near(n.diameter, diameter)) {
-                Some(node) => node.ends.push(this),
-                None => nodes.push(NodeMove { ends: vec![this], follow_z: Vec::new(), z, diameter }),
-            }
-        }
+    let mut ends: Vec<Placed> = part.sections.iter().flat_map(ends_of).enumerate().map(Placed::new).collect();
+    ends.sort_by(|a, b| a.z.total_cmp(&b.z));
+    let mut nodes: Vec<(usize, NodeMove)> = Vec::new();
+    for face in ends.chunk_by_mut(|a, b| near(a.z, b.z)) {
+        face.sort_by(|a, b| a.diameter.total_cmp(&b.diameter));
+        nodes.extend(nodes_of_face(face));
     }
-    let places: Vec<(f64, Vec<SectionEnd>)> = nodes.iter().map(|n| (n.z, n.ends.clone())).collect();
-    for node in &mut nodes {
-        let across_face = places.iter().filter(|(z, ends)| near(*z, node.z) && *ends != node.ends);
-        node.follow_z = across_face.flat_map(|(_, ends)| ends.iter().copied()).collect();
-    }
-    nodes
+    nodes.sort_by_key(|(order, _)| *order);
+    nodes.into_iter().map(|(_, node)| node).collect()
 }
 
-fn ends_of(section: &Section) -> [(End, f64, f64); 2] {
+/// An end of a section and where it lies.
+struct Placed {
+    /// Number of the end in the order of the table.
+    order: usize,
+    end: SectionEnd,
+    z: f64,
+    diameter: f64,
+}
+
+impl Placed {
+    const fn new((order, (end, z, diameter)): (usize, (SectionEnd, f64, f64))) -> Self {
+        Self { order, end, z, diameter }
+    }
+}
+
+/// The nodes of ends at one z, sorted by diameter, each with the order of its first end.
+fn nodes_of_face(face: &[Placed]) -> Vec<(usize, NodeMove)> {
+    let groups: Vec<&[Placed]> = face.chunk_by(|a, b| near(a.diameter, b.diameter)).collect();
+    let ends = |group: &[Placed]| {
+        let mut ends: Vec<(usize, SectionEnd)> = group.iter().map(|p| (p.order, p.end)).collect();
+        ends.sort_by_key(|(order, _)| *order);
+        ends.into_iter().map(|(_, end)| end).collect::<Vec<SectionEnd>>()
+    };
+    let node = |(index, group): (usize, &&[Placed])| {
+        let first = group.iter().min_by_key(|p| p.order)?;
+        let others = groups.iter().enumerate().filter(|(other, _)| *other != index);
+        let follow_z = others.flat_map(|(_, group)| ends(group)).collect();
+        Some((first.order, NodeMove { ends: ends(group), follow_z, z: first.z, diameter: first.diameter }))
+    };
+    groups.iter().enumerate().filter_map(node).collect()
+}
+
+fn ends_of(section: &Section) -> [(SectionEnd, f64, f64); 2] {
     let far = if matches!(section.kind, SectionKind::Thread { .. }) { section.d1 } else { section.d2 };
-    [(End::Start, section.z1, section.d1), (End::Finish, section.z2, far)]
+    let end = |end| SectionEnd { section: section.id, end };
+    [(end(End::Start), section.z1, section.d1), (end(End::Finish), section.z2, far)]
 }
 
 fn near(a: f64, b: f64) -> bool {
