@@ -191,9 +191,17 @@ mod tests {
         let contour = Contour::new(corners.windows(2).map(|w| Segment::line(w[0], w[1])).collect());
         let work = Work {
             stock: Contour::default(),
-            target: Target { contour, sections: vec![1, 2, 3], names: BTreeMap::new(), machined_from_z: 0.0 },
+            target: Target {
+                contour,
+                sections: vec![1, 2, 3],
+                names: BTreeMap::new(),
+                machined_from_z: 0.0,
+                bore: None,
+            },
             program_zero_z: 20.0,
             chuck_face_z: -10.0,
+            mandrel: None,
+            tailstock: None,
             form_tolerance_mm,
             may_cut: Vec::new(),
         };

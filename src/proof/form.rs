@@ -206,9 +206,17 @@ mod tests {
         let sections = vec![1, 2];
         Form::new(&Work {
             stock: Contour::default(),
-            target: Target { contour, sections, names: std::collections::BTreeMap::new(), machined_from_z: -20.0 },
+            target: Target {
+                contour,
+                sections,
+                names: std::collections::BTreeMap::new(),
+                machined_from_z: -20.0,
+                bore: None,
+            },
             program_zero_z: 0.0,
             chuck_face_z: -30.0,
+            mandrel: None,
+            tailstock: None,
             form_tolerance_mm: 0.05,
             may_cut: vec![MayCut { z1: -15.0, z2: -12.0, radius: 4.0 }],
         })

@@ -30,6 +30,10 @@ pub struct Work {
     pub program_zero_z: f64,
     /// Position of the chuck's face.
     pub chuck_face_z: f64,
+    /// Closed outline of what drives work held between centres at its clamped end, in front of the chuck's face.
+    pub mandrel: Option<Contour>,
+    /// Closed outline of the tailstock's centre, if it holds the work.
+    pub tailstock: Option<Contour>,
     /// Deviation from the contour that is allowed, mm.
     pub form_tolerance_mm: f64,
     /// Where threads and the parting groove may cut below the contour: z range and lowest radius.

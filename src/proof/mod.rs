@@ -30,8 +30,8 @@ pub use input::{MayCut, ProofInput, Work};
 pub use json::{path_json, proof_json};
 pub use prove::prove;
 pub use report::{
-    BlockRef, BlockReport, Finding, FindingKind, Leftover, Motion, Move, ProgramText, ProofReport, StockState, Target,
-    Times,
+    BlockRef, BlockReport, BoreTarget, Finding, FindingKind, Leftover, Motion, Move, ProgramText, ProofReport,
+    StockState, Target, Times,
 };
 
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! What a proof found.
 
+use super::MayCut;
 use crate::diagnostic::Severity;
 use crate::geometry::{Contour, Point, Segment};
 use serde::{Deserialize, Serialize};
@@ -214,6 +215,22 @@ pub struct Target {
     pub names: BTreeMap<u32, String>,
     /// Part of the contour that this set-up machines: z from here up.
     pub machined_from_z: f64,
+    /// The finished bore, if there is one.
+    pub bore: Option<BoreTarget>,
+}
+
+/// The bore of a part as the proof needs it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BoreTarget {
+    /// The finished inside from the clamped end to the free end, lines and arcs; it begins or ends on the axis at the
+    /// bottom of a blind hole, and lies on the axis where a web divides two holes.
+    pub contour: Contour,
+    /// Row id of each segment of `contour`; 0 for the hole of a tube that no row describes.
+    pub sections: Vec<u32>,
+    /// Part of the contour that this set-up machines: z from here up; the length of the part if nothing of it.
+    pub machined_from_z: f64,
+    /// Where inside threads may cut beyond the contour: z range and largest radius.
+    pub may_cut: Vec<MayCut>,
 }
 
 /// The text of one program and its name without extension.

@@ -262,9 +262,12 @@ fn work_of(part: &TurnedPart, setup: &Setup, contour: &PartContour, path: &Cutte
             sections: contour.sections.clone(),
             names: section_names(part),
             machined_from_z: setup.machined_from_z,
+            bore: None,
         },
         program_zero_z: path.program_zero_z,
         chuck_face_z: setup.chuck_face_z,
+        mandrel: None,
+        tailstock: None,
         form_tolerance_mm,
         may_cut: may_cut(setup),
     }

@@ -139,9 +139,11 @@ pub(super) fn work() -> Work {
     ]);
     Work {
         stock: polygon(&[(-40.0, 0.0), (LENGTH, 0.0), (LENGTH, 10.0), (-40.0, 10.0)]),
-        target: Target { contour, sections: vec![1, 2, 2], names: BTreeMap::new(), machined_from_z: 0.0 },
+        target: Target { contour, sections: vec![1, 2, 2], names: BTreeMap::new(), machined_from_z: 0.0, bore: None },
         program_zero_z: LENGTH,
         chuck_face_z: -10.0,
+        mandrel: None,
+        tailstock: None,
         form_tolerance_mm: 0.05,
         may_cut: Vec::new(),
     }

@@ -180,8 +180,13 @@ fn an_arc_cut_leaves_the_arc() {
         Segment::line(p(24.0, 10.0), p(24.0, 6.0)),
         Segment::Arc { start: p(24.0, 6.0), end: p(30.0, 0.0), center: p(24.0, 0.0), ccw: false },
     ]);
-    let target =
-        Target { contour, sections: vec![1, 1, 2], names: std::collections::BTreeMap::new(), machined_from_z: 0.0 };
+    let target = Target {
+        contour,
+        sections: vec![1, 1, 2],
+        names: std::collections::BTreeMap::new(),
+        machined_from_z: 0.0,
+        bore: None,
+    };
     let body = "PTP 0 1 1000 1 1000\nPTP 0 0 80 1 1000\nCIRC 6 -6 6 CCW 80 1 1000\nPTP 12 -6 80 1 1000";
     let report = prove_input(&with_work(&[&absolute(body)], Work { target, ..work() }));
     let left = &report.leftover[1];

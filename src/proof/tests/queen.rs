@@ -54,9 +54,17 @@ fn work() -> Work {
     let (contour, sections) = contour();
     Work {
         stock: polygon(&[(-40.0, 0.0), (QUEEN_LENGTH, 0.0), (QUEEN_LENGTH, 13.1), (-40.0, 13.1)]),
-        target: Target { contour, sections, names: std::collections::BTreeMap::new(), machined_from_z: 0.0 },
+        target: Target {
+            contour,
+            sections,
+            names: std::collections::BTreeMap::new(),
+            machined_from_z: 0.0,
+            bore: None,
+        },
         program_zero_z: QUEEN_LENGTH,
         chuck_face_z: -10.0,
+        mandrel: None,
+        tailstock: None,
         form_tolerance_mm: 0.05,
         may_cut: Vec::new(),
     }
