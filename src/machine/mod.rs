@@ -17,8 +17,8 @@ use serde::{Deserialize, Serialize};
 pub use spindle::{SpeedRule, Spindle, SpindleRange};
 pub use tool::{Hand, Tool, ToolShape};
 pub use words::{
-    ArcCenter, ClampWord, Codes, Comments, DecimalPoint, Digits, Preset, ProgramNumber, SequenceNumbers, SpeedCode,
-    ThreadWord, ToolWord, Words, Zeros,
+    ArcCenter, ClampWord, Codes, Comments, DecimalPoint, Digits, DwellWord, Preset, ProgramNumber, SequenceNumbers,
+    SpeedCode, ThreadAngle, ThreadWord, ToolWord, Words, Zeros,
 };
 
 /// A lathe with its control, as read from a machine file. Lengths in mm, feeds in mm/min.

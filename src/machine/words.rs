@@ -61,6 +61,12 @@ pub struct Words {
     pub program_number: Option<ProgramNumber>,
     /// A program begins and ends with a line `%`.
     pub tape_marks: bool,
+    /// A blank stands between words.
+    #[serde(default)]
+    pub word_space: bool,
+    /// Extension of program files, without the dot.
+    #[serde(default = "usual_extension")]
+    pub extension: String,
     /// What ends a block in the text.
     #[serde(default = "line_feed")]
     pub block_end: String,
@@ -77,6 +83,9 @@ pub struct Words {
     /// How the highest speed under constant cutting speed is given; none without.
     #[serde(default)]
     pub clamp_word: Option<ClampWord>,
+    /// The clamp is written only for operations that would turn faster; otherwise for all with constant cutting speed.
+    #[serde(default)]
+    pub clamp_where_reached: bool,
     /// How the control learns where the program zero is.
     pub preset: Preset,
     /// At most one M word stands in a block.
@@ -85,8 +94,13 @@ pub struct Words {
     /// Codes of coolant, spindle and program.
     #[serde(default)]
     pub codes: Codes,
-    /// How a thread is cut.
+    /// How a threading pass is written.
     pub thread: ThreadWord,
+    /// How the start angle of a threading pass is written; without it the pass starts further away instead.
+    #[serde(default)]
+    pub thread_angle: Option<ThreadAngle>,
+    /// How a dwell is written.
+    pub dwell: DwellWord,
     /// Programs may use the control's own roughing, finishing and threading cycles (G71, G70, G76).
     #[serde(default)]
     pub canned_cycles: bool,
@@ -219,24 +233,48 @@ pub enum Preset {
     None,
 }
 
-/// How a thread is cut.
+/// How a threading pass is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ThreadWord {
-    /// Pass by pass with G32.
+    /// `G32 X Z F`, F the lead.
     G32,
-    /// Pass by pass with G33 and its lead K.
+    /// `G33 X Z K`, K the lead.
     G33,
-    /// One cycle a pass, G92.
-    G92,
-    /// The whole thread in one cycle, G76.
-    G76,
+}
+
+/// How the start angle of a threading pass is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ThreadAngle {
+    /// `Q180000`, thousandths of a degree.
+    QMillidegrees,
+}
+
+/// How a dwell is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DwellWord {
+    /// `G4 P1500`, milliseconds.
+    PMilliseconds,
+    /// `G4 P1.5`, seconds.
+    PSeconds,
+    /// `G4 X1.5`, seconds, as a length is written.
+    XSeconds,
 }
 
 /// Codes of coolant, spindle and program; a code that the control lacks is left out of its programs.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Codes {
+    /// Words that follow G21 or G20 in the first block: `G18 G40 G80 G99`. On LinuxCNC those that its programs need come
+    /// first by themselves.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub start: String,
+    /// Blocks that take the tool to a safe place from wherever it is, such as `G28 U0.` and `G28 W0.`: at the start and
+    /// after every operation.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub retract: Vec<String>,
     /// Coolant on.
     pub coolant_on: Option<String>,
     /// Coolant off.
@@ -245,8 +283,8 @@ pub struct Codes {
     pub spindle_on: String,
     /// Spindle on the other way round.
     pub spindle_reverse: String,
-    /// Spindle off.
-    pub spindle_stop: String,
+    /// Spindle off, after every operation.
+    pub spindle_stop: Option<String>,
     /// Stop if the operator wants it, between operations.
     pub optional_stop: Option<String>,
     /// Program end with return to its beginning.
@@ -254,15 +292,17 @@ pub struct Codes {
 }
 
 impl Default for Codes {
-    /// The codes that ISO 6983 gives: M08, M09, M03, M04, M05, M01, M30.
+    /// Codes that ISO 6983 gives to what no program does without: M03, M04, M30. What a control lacks is not printed.
     fn default() -> Self {
         Self {
-            coolant_on: Some("M08".to_owned()),
-            coolant_off: Some("M09".to_owned()),
+            start: String::new(),
+            retract: Vec::new(),
+            coolant_on: None,
+            coolant_off: None,
             spindle_on: "M03".to_owned(),
             spindle_reverse: "M04".to_owned(),
-            spindle_stop: "M05".to_owned(),
-            optional_stop: Some("M01".to_owned()),
+            spindle_stop: None,
+            optional_stop: None,
             program_end: "M30".to_owned(),
         }
     }
@@ -296,6 +336,10 @@ const fn one_digit() -> u8 {
 
 const fn yes() -> bool {
     true
+}
+
+fn usual_extension() -> String {
+    "nc".to_owned()
 }
 
 fn line_feed() -> String {

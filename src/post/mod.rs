@@ -2,8 +2,9 @@
 
 mod header;
 pub mod orac;
+pub mod words;
 
-use crate::diagnostic::{Diagnostic, Place};
+use crate::diagnostic::Diagnostic;
 use crate::machine::{Dialect, Machine};
 use crate::turning::{CutterPath, OperationKind};
 use crate::units::Unit;
@@ -32,19 +33,10 @@ pub struct Options {
 /// The programs of one set-up in the language of its machine. `name` is the item's name; numbers are appended to it.
 #[must_use]
 pub fn post(name: &str, path: &CutterPath, options: &Options, header: &Header, machine: &Machine) -> PostOutput {
-    // The ORAC's pages have no room for comments.
-    let _ = header;
     match machine.dialect {
         Dialect::Orac => orac::post(name, path, options, machine),
-        Dialect::Fanuc | Dialect::Linuxcnc => {
-            PostOutput { diagnostics: vec![no_post(machine)], ..PostOutput::default() }
-        }
+        Dialect::Fanuc | Dialect::Linuxcnc => words::post(name, path, options, header, machine),
     }
-}
-
-fn no_post(machine: &Machine) -> Diagnostic {
-    let message = format!("Programs in the language of {} cannot be written yet.", machine.name);
-    Diagnostic::error("no-post", Place::Machine { id: machine.id.clone() }, message)
 }
 
 /// A program for a control, ready to be sent or saved.

@@ -115,13 +115,26 @@ fn codes(check: &mut Check, words: &Words) {
         ("words.codes.coolant_off", codes.coolant_off.as_deref()),
         ("words.codes.spindle_on", Some(codes.spindle_on.as_str())),
         ("words.codes.spindle_reverse", Some(codes.spindle_reverse.as_str())),
-        ("words.codes.spindle_stop", Some(codes.spindle_stop.as_str())),
+        ("words.codes.spindle_stop", codes.spindle_stop.as_deref()),
         ("words.codes.optional_stop", codes.optional_stop.as_deref()),
         ("words.codes.program_end", Some(codes.program_end.as_str())),
     ] {
         if let Some(code) = code {
             check.code(path, code);
         }
+    }
+    for (path, text) in std::iter::once(("words.codes.start".to_owned(), &codes.start))
+        .chain(codes.retract.iter().enumerate().map(|(i, text)| (format!("words.codes.retract.{i}"), text)))
+    {
+        if !text.split(' ').filter(|word| !word.is_empty()).all(is_word) {
+            let message =
+                format!("The text is \"{text}\"; it must be words such as G28 U0., with blanks between them.");
+            check.fault(&path, message);
+        }
+    }
+    if !words.extension.chars().all(|c| c.is_ascii_alphanumeric()) || words.extension.is_empty() {
+        let message = format!("The extension is \"{}\"; it must be letters and digits.", words.extension);
+        check.fault("words.extension", message);
     }
     if words.clamp_word.is_some_and(|w| w != ClampWord::G92) && !words.surface_speed {
         let message = "A clamp belongs to constant cutting speed, which `surface_speed = false` excludes.".to_owned();
@@ -131,4 +144,11 @@ fn codes(check: &mut Check, words: &Words) {
         let message = "G33 with its lead K needs absolute moves; with `incremental = true` choose g32.".to_owned();
         check.fault("words.thread", message);
     }
+}
+
+/// A capital letter and a number.
+fn is_word(word: &str) -> bool {
+    let mut characters = word.chars();
+    let letter = characters.next().is_some_and(|c| c.is_ascii_uppercase());
+    letter && characters.as_str().parse::<f64>().is_ok_and(f64::is_finite)
 }
