@@ -20,7 +20,7 @@
 //! | [`part`] | section table to exact profile, checks |
 //! | [`machine`] | machines, tools and materials as data |
 //! | [`geometry`] | points, line and arc segments, contours |
-//! | [`diagnostic`], [`units`], [`cancel`], [`textfile`] | messages, units, cancelling, reading text |
+//! | [`diagnostic`], [`units`], [`cancel`], [`textfile`], `replace` | messages, units, cancelling, reading text, replacing files |
 //!
 //! Spaces and units: mm and radians inside; degrees and the document's unit at the edges. Part space has `z` along the
 //! spindle, growing away from the chuck, and `r` as a radius. The proof shares nothing with generators and posts but
@@ -38,6 +38,7 @@ pub mod part;
 pub mod post;
 pub mod proof;
 pub mod regen;
+mod replace;
 pub mod session;
 pub mod storage;
 pub mod textfile;

@@ -9,6 +9,7 @@ use std::sync::Arc;
 use std::time::Duration;
 use turnwright::cancel::Cancel;
 use turnwright::diagnostic::{Diagnostic, Place, Severity};
+use turnwright::machine::{Delivery, Machine};
 use turnwright::proof::{self, ProofInput};
 use turnwright::storage;
 use turnwright::transfer::commands::{self, Line};
@@ -17,7 +18,7 @@ use turnwright::transfer::{Event, Outcome, Timing};
 /// Send a program, and with --verify wait until it comes back and compare.
 #[derive(Debug, Args)]
 pub(crate) struct Send {
-    /// Program as pages (.cnc).
+    /// Program: pages (.cnc) for an ORAC, word-address text for other controls.
     program: PathBuf,
     #[command(flatten)]
     line: LineArgs,
@@ -45,9 +46,10 @@ struct LineArgs {
     /// Machine whose line settings are used.
     #[arg(long, value_name = "ID")]
     machine: String,
-    /// Serial port, or `virtual` for the virtual lathe in this process.
+    /// Serial port, or `virtual` for the virtual lathe in this process. For a machine that takes its programs from a
+    /// folder: that folder; by default the one of the machine's file.
     #[arg(long)]
-    port: String,
+    port: Option<String>,
     /// Do not keep to the speed of the line.
     #[arg(long)]
     unpaced: bool,
@@ -65,7 +67,8 @@ pub(crate) struct Lathe {
     /// Symbolic link to make to the port.
     #[arg(long, value_name = "PATH")]
     link: Option<PathBuf>,
-    /// What goes wrong: drop@N, change@N, duplicate@N, delay=MS, unplug@N, silent, truncate@N, separated by commas.
+    /// What goes wrong: drop@N, change@N, duplicate@N, parity@N, delay=T, stall@N, unplug@N, reset@N, late-dc3@N, silent,
+    /// truncate@N, separated by commas.
     #[arg(long, value_name = "SPEC", default_value = "")]
     faults: String,
     /// Do not keep to the speed of the line.
@@ -87,7 +90,7 @@ pub(super) fn send(args: &Send) -> CommandOutcome {
         complain_line("Not sent: the proof found errors. Correct the program, or insist with --insist.");
         return Ok(Ending::FoundErrors);
     }
-    let line = line(&args.line, &machine.serial);
+    let line = line(&args.line, machine)?;
     let outcome = watched(|on_event| {
         commands::send(&program.name, &program.text, args.verify, line, on_event, &Cancel::default())
     });
@@ -97,7 +100,7 @@ pub(super) fn send(args: &Send) -> CommandOutcome {
 pub(super) fn receive(args: &Receive) -> CommandOutcome {
     let catalog = catalog();
     let machine = machine(&catalog, &args.line.machine)?;
-    let line = line(&args.line, &machine.serial);
+    let line = line(&args.line, machine)?;
     let outcome = watched(|on_event| commands::receive(line, on_event, &Cancel::default()));
     if let Outcome::Received { text, .. } = &outcome {
         storage::replace_file(&args.out, text.as_bytes()).map_err(|d| vec![d])?;
@@ -111,13 +114,17 @@ pub(super) fn lathe(args: &Lathe) -> CommandOutcome {
     let catalog = catalog();
     let machine = machine(&catalog, &args.machine)?;
     let unusable = |message: String| vec![Diagnostic::error("virtual-lathe", Place::Document, message)];
+    let Delivery::Line(profile) = &machine.serial else {
+        let message = format!("{} takes its programs from a folder; there is no line to play.", machine.name);
+        return Err(unusable(message));
+    };
     let faults = args.faults.parse::<FaultSpec>().map_err(|e| unusable(e.to_string()))?;
     let options = PtyOptions { link: args.link.clone(), faults, unpaced: args.unpaced };
     let mut tell = |event: LatheEvent| match event {
         LatheEvent::Ready { port } => say(&port),
         other => complain_line(&other.to_string()),
     };
-    commands::lathe(&machine.serial, &options, &mut tell, &Cancel::default()).map_err(unusable)?;
+    commands::lathe(profile, &options, &mut tell, &Cancel::default()).map_err(unusable)?;
     Ok(Ending::Good)
 }
 
@@ -130,13 +137,20 @@ pub(super) fn lathe(_args: &Lathe) -> CommandOutcome {
     ])
 }
 
-fn line<'a>(args: &'a LineArgs, profile: &'a turnwright::machine::SerialProfile) -> Line<'a> {
-    Line {
-        port: &args.port,
-        profile,
-        unpaced: args.unpaced,
-        timing: Timing { first: Duration::from_secs(args.wait), ..Timing::default() },
-    }
+fn line<'a>(args: &'a LineArgs, machine: &'a Machine) -> Result<Line<'a>, Vec<Diagnostic>> {
+    let port = match (&args.port, &machine.serial) {
+        (Some(port), _) => port,
+        (None, Delivery::Folder(profile)) => &profile.folder,
+        (None, Delivery::Line(_)) => {
+            let message = format!("The line to {} needs a port.", machine.name);
+            return Err(vec![
+                Diagnostic::error("no-port", Place::Document, message)
+                    .with_hint("Give it with --port, or use `--port virtual`."),
+            ]);
+        }
+    };
+    let timing = Timing { first: Duration::from_secs(args.wait), ..Timing::default() };
+    Ok(Line { port, delivery: &machine.serial, unpaced: args.unpaced, timing })
 }
 
 /// Runs a transfer with a progress bar and the log on standard error.

@@ -193,7 +193,7 @@ fn sources(files: &[(String, String)]) -> Vec<Source<'_>> {
 mod tests {
     use super::*;
     use crate::diagnostic::Place;
-    use crate::machine::{Dialect, FlowControl, Parity, SpeedRule};
+    use crate::machine::{Delivery, Dialect, FlowControl, PageMarks, Parity, Protocol, SpeedRule};
 
     fn user_dir(files: &[(&str, &str)]) -> tempfile::TempDir {
         let dir = tempfile::tempdir().unwrap();
@@ -230,9 +230,10 @@ mod tests {
         assert_eq!(orac.dialect, Dialect::Orac);
         assert_eq!((orac.limits.bar_diameter_mm, orac.limits.blocks_per_program), (40.0, 99));
         assert_eq!(orac.spindle.speed, SpeedRule::Radius { at_center_rpm: 2000.0, per_mm_radius_rpm: 60.0 });
-        let serial = &orac.serial;
+        let Delivery::Line(serial) = &orac.serial else { panic!("no line") };
         assert_eq!((serial.baud, serial.data_bits, serial.parity, serial.stop_bits), (2400, 7, Parity::Odd, 1));
-        assert_eq!((serial.flow, serial.page_start, serial.end), (FlowControl::None, 2, 4));
+        assert_eq!(serial.flow, FlowControl::None);
+        assert_eq!(serial.protocol, Protocol::OracPages(PageMarks { page_start: 2, end: 4 }));
     }
 
     #[test]
@@ -292,6 +293,14 @@ mod tests {
         bad("tool = \"orac-left\"", "tool = \"none-such\"", &["none-such", "orac-right"]);
         bad("pitch_min_mm = 0.35", "pitch_min_mm = 4.35", &["4.35 mm", "3.5 mm"]);
         bad("feed_max_mm_per_min = 1200", "feed_max_mm_per_min = 1e999", &["1e999"]);
+    }
+
+    #[test]
+    fn keys_that_a_protocol_lacks_or_does_not_know_are_named() {
+        let fanuc = orac_with("protocol = \"orac-pages\"", "protocol = \"fanuc-reader-punch\"");
+        assert_one_mistake(&fanuc, "[serial]", &["`end_of_block` is missing", "fanuc-reader-punch"]);
+        let stray = orac_with("end = 0x04", "end = 0x04\nfolder = \"~/nc\"");
+        assert_one_mistake(&stray, "[serial]", &["`folder` means nothing", "orac-pages"]);
     }
 
     #[test]

@@ -6,6 +6,7 @@ mod file;
 mod material;
 mod motion;
 mod outline;
+mod serial;
 mod spindle;
 mod tool;
 mod words;
@@ -14,6 +15,10 @@ pub use material::{CuttingData, CuttingOperation, Material, OperationData, OracD
 pub use motion::{Axis, Motion};
 pub use outline::{ToolKind, ToolOutline, outlines};
 use serde::{Deserialize, Serialize};
+pub use serial::{
+    BAUD, DC1, DC2, DC3, DC4, Delivery, EndOfBlock, FlowControl, FolderProfile, PageMarks, Parity, Protocol,
+    ReaderPunch, SerialProfile, WrongKey,
+};
 pub use spindle::{SpeedRule, Spindle, SpindleRange};
 pub use tool::{Hand, Tool, ToolShape};
 pub use words::{
@@ -69,7 +74,7 @@ pub struct Machine {
     /// Tools in the turret.
     pub tools: Vec<TurretTool>,
     /// How programs reach the control.
-    pub serial: SerialProfile,
+    pub serial: Delivery,
 }
 
 /// Program languages.
@@ -229,50 +234,6 @@ pub struct TurretTool {
     /// Diameter at which this tool is changed, mm, positive; the machine's rest position without.
     #[serde(default)]
     pub change_diameter_mm: Option<f64>,
-}
-
-/// How a program goes over the wire to a control.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct SerialProfile {
-    /// Speed, bits per second.
-    pub baud: u32,
-    /// Data bits, 7 or 8.
-    pub data_bits: u8,
-    /// Parity bit.
-    pub parity: Parity,
-    /// Stop bits, 1 or 2.
-    pub stop_bits: u8,
-    /// Flow control.
-    pub flow: FlowControl,
-    /// Character that begins a page, as a number.
-    pub page_start: u8,
-    /// Character that ends the transfer, as a number.
-    pub end: u8,
-}
-
-/// Parity of a serial line.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Parity {
-    /// No parity bit.
-    None,
-    /// Odd number of ones.
-    Odd,
-    /// Even number of ones.
-    Even,
-}
-
-/// Flow control of a serial line.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum FlowControl {
-    /// None: the receiver must keep up.
-    None,
-    /// DC1/DC3 characters.
-    Software,
-    /// RTS/CTS lines.
-    Hardware,
 }
 
 /// Everything that was loaded: machines, tools and materials, shipped and the user's own.

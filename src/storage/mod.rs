@@ -1,6 +1,5 @@
 //! Documents on disk, recovery files, imports and exports.
 
-mod atomic;
 mod check;
 mod document;
 mod examples;
@@ -10,7 +9,7 @@ pub mod import;
 mod locate;
 pub mod recovery;
 
-pub use atomic::replace_file;
+pub use crate::replace::replace_file;
 pub use document::{document_from_text, document_to_text, open_document, save_document};
 pub use examples::{Example, examples};
 pub use folders::{config_folder, data_folder};

@@ -2,12 +2,14 @@
 
 mod worker;
 
-use super::compare::{Blanks, Difference};
+use super::compare::{Blanks, Difference, Piece};
+use super::folder;
 use super::log::LogLine;
-use super::ports::Port;
+use super::ports::Target;
+use super::sender::Patience;
 use crate::cancel::Cancel;
-use crate::machine::SerialProfile;
 use std::fmt;
+use std::path::PathBuf;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
@@ -19,7 +21,7 @@ pub enum Task {
     Send {
         /// Name of the program, for the log.
         name: String,
-        /// The pages, without an end mark.
+        /// The program: pages for an ORAC, blocks for other controls.
         text: String,
         /// Compare with what the control sends back.
         verify: bool,
@@ -28,7 +30,9 @@ pub enum Task {
     Receive,
     /// Receive a program and compare it with one that was sent before.
     Compare {
-        /// The pages that were sent.
+        /// Name of the program.
+        name: String,
+        /// The program as it was sent.
         sent: String,
     },
 }
@@ -38,14 +42,13 @@ pub enum Task {
 pub struct Request {
     /// What to do.
     pub task: Task,
-    /// Over which port.
-    pub port: Port,
-    /// Settings of the line.
-    pub profile: SerialProfile,
+    /// Where to, and how.
+    pub target: Target,
     /// Do not keep to the speed of the line; for pseudo-terminals and tests.
     pub unpaced: bool,
-    /// Send a lone DC1 before receiving. A virtual lathe takes it as "the operator presses send"; an ORAC ignores it.
-    pub ask_to_send: bool,
+    /// Press the keys of a virtual control: a lone DC1 makes it send, a lone DC2 makes it read. Other controls ignore
+    /// them, since they listen only after their operator has pressed the key.
+    pub press_keys: bool,
     /// How blanks are compared.
     pub blanks: Blanks,
     /// How long to wait for what.
@@ -53,18 +56,10 @@ pub struct Request {
 }
 
 impl Request {
-    /// A paced transfer that asks a virtual lathe to send, compares exactly, and waits the usual times.
+    /// A paced transfer that presses the keys of a virtual control, compares exactly, and waits the usual times.
     #[must_use]
-    pub fn new(task: Task, port: Port, profile: &SerialProfile) -> Self {
-        Self {
-            task,
-            port,
-            profile: profile.clone(),
-            unpaced: false,
-            ask_to_send: true,
-            blanks: Blanks::Exact,
-            timing: Timing::default(),
-        }
+    pub fn new(task: Task, target: Target) -> Self {
+        Self { task, target, unpaced: false, press_keys: true, blanks: Blanks::Exact, timing: Timing::default() }
     }
 }
 
@@ -75,7 +70,7 @@ pub struct Timing {
     pub first: Duration,
     /// For each later character from the control.
     pub idle: Duration,
-    /// For the port to take another byte, or the control to go on after DC3.
+    /// For the port to take another byte, the control to go on after DC3, or a folder to answer.
     pub stuck: Duration,
 }
 
@@ -85,26 +80,38 @@ impl Default for Timing {
     }
 }
 
+impl Timing {
+    const fn patience(self) -> Patience {
+        Patience { start: self.first, stuck: self.stuck }
+    }
+}
+
 /// What a transfer is doing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum State {
     /// The port is being opened.
     Opening,
+    /// The operator has to start reading at the control.
+    WaitingForReader,
     /// The program goes out.
     Sending,
     /// The operator has to start the transfer at the control.
     WaitingForControl,
     /// A program comes in.
     Receiving,
+    /// The program is saved to a folder.
+    Saving,
 }
 
 impl fmt::Display for State {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Opening => "Opening the port",
+            Self::WaitingForReader => "Start reading the program at the control now",
             Self::Sending => "Sending",
             Self::WaitingForControl => "Start sending the program at the control now",
             Self::Receiving => "Receiving",
+            Self::Saving => "Saving",
         })
     }
 }
@@ -131,6 +138,8 @@ pub struct Progress {
 pub enum Outcome {
     /// All bytes went out. Nothing is known about what arrived.
     SentNotVerified,
+    /// The program was saved as this file, which reads back the same.
+    Saved(PathBuf),
     /// What came back is what was sent.
     Verified,
     /// What came back is not what was sent.
@@ -153,7 +162,7 @@ impl Outcome {
     #[must_use]
     pub fn is_good(&self) -> bool {
         match self {
-            Self::SentNotVerified | Self::Verified => true,
+            Self::SentNotVerified | Self::Saved(_) | Self::Verified => true,
             Self::Received { problems, .. } => problems.is_empty(),
             Self::Different(_) | Self::Aborted | Self::Failed(_) => false,
         }
@@ -164,11 +173,13 @@ impl fmt::Display for Outcome {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::SentNotVerified => f.write_str("Sent, not verified."),
+            Self::Saved(path) => write!(f, "Saved as {}.", path.display()),
             Self::Verified => f.write_str("Verified: what came back is what was sent."),
             Self::Different(differences) => {
-                let (count, verb) =
-                    (differences.len(), if differences.len() == 1 { "page differs" } else { "pages differ" });
-                write!(f, "Not verified: {count} {verb} from what was sent.")?;
+                let count = differences.len();
+                let noun = if differences.first().is_some_and(|d| d.piece == Piece::Block) { "block" } else { "page" };
+                let verb = if count == 1 { " differs" } else { "s differ" };
+                write!(f, "Not verified: {count} {noun}{verb} from what was sent.")?;
                 differences.iter().try_for_each(|difference| write!(f, "\n  {difference}"))
             }
             Self::Received { text, problems } => {
@@ -214,7 +225,8 @@ impl Job {
                 let _ = sender.send(event);
                 notify();
             };
-            worker::run(request, for_worker, &tell);
+            let outcome = run(request, for_worker, &tell);
+            tell(Event::Done(outcome));
         });
         Self { events, cancel: cancel.clone(), done: false }
     }
@@ -256,6 +268,17 @@ impl Job {
             if let Event::Done(outcome) = event {
                 return outcome;
             }
+        }
+    }
+}
+
+fn run(request: Request, cancel: Cancel, tell: &dyn Fn(Event)) -> Outcome {
+    let Request { task, target, unpaced, press_keys, blanks, timing } = request;
+    match target {
+        Target::Folder(profile) => folder::run(task, &profile, timing.stuck, &cancel, tell),
+        Target::Line { port, profile } => {
+            let options = worker::Options { unpaced, press_keys, blanks, timing };
+            worker::run(task, port, profile, options, cancel, tell)
         }
     }
 }

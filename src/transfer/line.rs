@@ -2,57 +2,25 @@
 
 use super::link::LARGEST_WRITE;
 use crate::machine::{Parity, SerialProfile};
-use std::ops::RangeInclusive;
 use std::time::Duration;
-
-/// DC1 (XON): "go on" where software flow control is chosen; to a virtual lathe also "press send".
-pub const DC1: u8 = 0x11;
-/// DC3 (XOFF): "wait" where software flow control is chosen.
-pub const DC3: u8 = 0x13;
-
-/// Line speeds that can be set, bits per second.
-const BAUD: RangeInclusive<u32> = 50..=4_000_000;
 
 /// How far ahead of the wire bytes are handed to the port. Long enough to keep the wire busy between two looks at the
 /// port, short enough that little is left to run after an abort or a DC3.
 const AHEAD: Duration = Duration::from_millis(20);
+
+/// The same where the control stops the sender with DC3: so much may still arrive after it, and a control has room for
+/// few characters only (Fanuc: ten). At 4800 baud this is four.
+const AHEAD_OF_DC3: Duration = Duration::from_millis(8);
 
 /// Checks that a profile can be used.
 ///
 /// # Errors
 /// A sentence with the value and what is allowed.
 pub fn check(profile: &SerialProfile) -> Result<(), String> {
-    if !BAUD.contains(&profile.baud) {
-        return Err(format!(
-            "The speed is {} baud; it must be between {} and {} baud.",
-            profile.baud,
-            BAUD.start(),
-            BAUD.end()
-        ));
+    match profile.faults().into_iter().next() {
+        Some((key, message)) => Err(format!("Line setting {key}: {message}")),
+        None => Ok(()),
     }
-    if !(7..=8).contains(&profile.data_bits) {
-        return Err(format!("{} data bits are set; 7 or 8 are possible.", profile.data_bits));
-    }
-    if !(1..=2).contains(&profile.stop_bits) {
-        return Err(format!("{} stop bits are set; 1 or 2 are possible.", profile.stop_bits));
-    }
-    check_marks(profile)
-}
-
-fn check_marks(profile: &SerialProfile) -> Result<(), String> {
-    for (name, mark) in [("page mark", profile.page_start), ("end mark", profile.end)] {
-        let taken = [0, b'\t', b'\n', b'\r', DC1, DC3].contains(&mark);
-        if taken || mark >= b' ' {
-            return Err(format!(
-                "The {name} is character {mark}; it must be a control character between 1 and 31 other than tab (9), \
-                 line feed (10), carriage return (13), DC1 (17) and DC3 (19)."
-            ));
-        }
-    }
-    if profile.page_start == profile.end {
-        return Err(format!("Page mark and end mark are both character {}; they must differ.", profile.end));
-    }
-    Ok(())
 }
 
 /// Bits of one character on the wire: start, data, parity and stop bits.
@@ -73,6 +41,8 @@ pub fn character_time(profile: &SerialProfile) -> Duration {
 pub struct Pace {
     /// Time per character; zero when unpaced.
     character: Duration,
+    /// How far ahead of the wire bytes are handed out.
+    ahead: Duration,
     /// When the wire has carried all that was handed out.
     free_at: Duration,
 }
@@ -82,7 +52,8 @@ impl Pace {
     #[must_use]
     pub fn new(profile: &SerialProfile, unpaced: bool) -> Self {
         let character = if unpaced { Duration::ZERO } else { character_time(profile) };
-        Self { character, free_at: Duration::ZERO }
+        let ahead = if profile.heeds_dc3() { AHEAD_OF_DC3 } else { AHEAD };
+        Self { character, ahead, free_at: Duration::ZERO }
     }
 
     /// How many bytes may be handed out now, at most [`LARGEST_WRITE`].
@@ -92,7 +63,7 @@ impl Pace {
             return LARGEST_WRITE;
         }
         let backlog = self.free_at.saturating_sub(now);
-        let fit = AHEAD.saturating_sub(backlog).as_nanos() / self.character.as_nanos();
+        let fit = self.ahead.saturating_sub(backlog).as_nanos() / self.character.as_nanos();
         let fit = usize::try_from(fit).unwrap_or(LARGEST_WRITE).min(LARGEST_WRITE);
         if backlog.is_zero() { fit.max(1) } else { fit }
     }
@@ -107,7 +78,7 @@ impl Pace {
     #[must_use]
     pub fn wait(&self, now: Duration) -> Duration {
         let backlog = self.free_at.saturating_sub(now);
-        let may_stay = AHEAD.saturating_sub(self.character);
+        let may_stay = self.ahead.saturating_sub(self.character);
         backlog.saturating_sub(may_stay)
     }
 
@@ -127,7 +98,7 @@ impl Pace {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use crate::machine::FlowControl;
+    use crate::machine::{EndOfBlock, FlowControl, PageMarks, Protocol, ReaderPunch};
 
     pub(in crate::transfer) fn orac_profile() -> SerialProfile {
         SerialProfile {
@@ -136,13 +107,25 @@ pub(super) mod tests {
             parity: Parity::Odd,
             stop_bits: 1,
             flow: FlowControl::None,
-            page_start: 2,
-            end: 4,
+            protocol: Protocol::OracPages(PageMarks { page_start: 2, end: 4 }),
+        }
+    }
+
+    pub(in crate::transfer) fn fanuc_profile() -> SerialProfile {
+        let habits = ReaderPunch { end_of_block: EndOfBlock::Lf, tv_check: false, confirms_end: true };
+        SerialProfile {
+            baud: 4800,
+            data_bits: 7,
+            parity: Parity::Even,
+            stop_bits: 2,
+            flow: FlowControl::Software,
+            protocol: Protocol::FanucReaderPunch(habits),
         }
     }
 
     #[test]
-    fn an_orac_character_is_ten_bits() {
+    fn a_character_has_start_data_parity_and_stop_bits() {
+        assert_eq!(bits_per_character(&fanuc_profile()), 11);
         let profile = orac_profile();
         assert_eq!(bits_per_character(&profile), 10);
         assert_eq!(character_time(&profile).as_micros(), 4166);
@@ -151,18 +134,10 @@ pub(super) mod tests {
     }
 
     #[test]
-    fn settings_are_checked_with_value_and_limit() {
+    fn impossible_settings_are_told_with_their_key() {
         assert_eq!(check(&orac_profile()), Ok(()));
-        for (wrong, words) in [
-            (SerialProfile { baud: 0, ..orac_profile() }, "0 baud"),
-            (SerialProfile { data_bits: 9, ..orac_profile() }, "9 data bits"),
-            (SerialProfile { stop_bits: 0, ..orac_profile() }, "0 stop bits"),
-            (SerialProfile { end: 65, ..orac_profile() }, "end mark is character 65"),
-            (SerialProfile { page_start: DC1, ..orac_profile() }, "page mark is character 17"),
-            (SerialProfile { page_start: 4, ..orac_profile() }, "both character 4"),
-        ] {
-            assert!(check(&wrong).unwrap_err().contains(words), "{words}");
-        }
+        let wrong = SerialProfile { baud: 0, ..orac_profile() };
+        assert!(check(&wrong).unwrap_err().contains("baud: The speed is 0 bits/s"));
     }
 
     #[test]

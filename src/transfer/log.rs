@@ -50,6 +50,13 @@ pub fn visible(byte: u8) -> String {
     }
 }
 
+/// At most 30 characters of a line, control characters made visible.
+pub(super) fn shortened(line: &str) -> String {
+    const MOST: usize = 30;
+    let start: String = line.bytes().take(MOST).map(visible).collect();
+    if line.len() > MOST { start + "…" } else { start }
+}
+
 /// Gathers the bytes of one direction into log lines, one for each line of text.
 #[derive(Debug)]
 pub struct Gatherer {

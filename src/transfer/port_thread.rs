@@ -98,9 +98,9 @@ impl PortThread {
     }
 }
 
-/// Serves commands and reads until the job is gone.
+/// Serves commands and reads until the job is gone. Every write is followed by a look at what came, so that a control's
+/// "wait" is never overtaken by a run of writes.
 fn serve(mut link: Box<dyn Link>, inbox: &Receiver<Command>, outbox: &Sender<PortEvent>) -> io::Result<()> {
-    let mut buffer = [0; 256];
     let mut wrote = false;
     loop {
         let command = if wrote {
@@ -112,23 +112,30 @@ fn serve(mut link: Box<dyn Link>, inbox: &Receiver<Command>, outbox: &Sender<Por
         let event = match command {
             Ok(Command::Write(mut bytes)) => {
                 bytes.truncate(link.write_some(&bytes, TURN)?);
-                PortEvent::Wrote(bytes)
+                let read = read(link.as_mut(), Duration::ZERO)?;
+                if read.is_some_and(|event| outbox.send(event).is_err()) {
+                    return Ok(());
+                }
+                Some(PortEvent::Wrote(bytes))
             }
-            Ok(Command::Queued) => PortEvent::Queued(link.queued()?),
+            Ok(Command::Queued) => Some(PortEvent::Queued(link.queued()?)),
             Ok(Command::Discard) => {
                 link.discard_queued();
-                continue;
+                None
             }
             Err(true) => return Ok(()),
-            Err(false) => match link.read_some(&mut buffer, TURN)? {
-                0 => continue,
-                count => PortEvent::Read(buffer.get(..count).unwrap_or_default().to_vec()),
-            },
+            Err(false) => read(link.as_mut(), TURN)?,
         };
-        if outbox.send(event).is_err() {
+        if event.is_some_and(|event| outbox.send(event).is_err()) {
             return Ok(());
         }
     }
+}
+
+fn read(link: &mut dyn Link, timeout: Duration) -> io::Result<Option<PortEvent>> {
+    let mut buffer = [0; 256];
+    let count = link.read_some(&mut buffer, timeout)?;
+    Ok(buffer.get(..count).filter(|bytes| !bytes.is_empty()).map(|bytes| PortEvent::Read(bytes.to_vec())))
 }
 
 fn describe(error: &io::Error) -> String {

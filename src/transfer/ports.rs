@@ -1,8 +1,8 @@
-//! What can be chosen as a port, and opening it.
+//! What can be chosen as the target of a transfer, and opening it.
 
 use super::link::Link;
 use super::virtual_lathe::VirtualLathe;
-use crate::machine::SerialProfile;
+use crate::machine::{Delivery, FolderProfile, Protocol, SerialProfile};
 
 /// Name of the virtual lathe in the port list and on the command line.
 pub const VIRTUAL: &str = "virtual";
@@ -10,16 +10,27 @@ pub const VIRTUAL: &str = "virtual";
 /// One entry of the port list.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PortChoice {
-    /// What is typed to choose it: [`VIRTUAL`], or a device path or name.
+    /// What is typed to choose it: [`VIRTUAL`], a device path or name, or a folder.
     pub name: String,
     /// What to show.
     pub label: String,
 }
 
-/// The ports of this computer, the virtual lathe first. Any other path may be typed as well.
+/// Where programs of a control can go: the ports of this computer, the virtual control first, or the control's folder.
+/// Any other path may be typed as well.
 #[must_use]
-pub fn ports() -> Vec<PortChoice> {
-    let lathe = PortChoice { name: VIRTUAL.to_owned(), label: "Virtual lathe (no cable needed)".to_owned() };
+pub fn ports(delivery: &Delivery) -> Vec<PortChoice> {
+    let profile = match delivery {
+        Delivery::Line(profile) => profile,
+        Delivery::Folder(FolderProfile { folder, .. }) => {
+            return vec![PortChoice { name: folder.clone(), label: format!("Folder {folder}") }];
+        }
+    };
+    let label = match profile.protocol {
+        Protocol::OracPages(_) => "Virtual lathe (no cable needed)",
+        Protocol::FanucReaderPunch(_) => "Virtual Fanuc (no cable needed)",
+    };
+    let lathe = PortChoice { name: VIRTUAL.to_owned(), label: label.to_owned() };
     #[cfg(feature = "serial")]
     let serial = super::serial::choices();
     #[cfg(not(feature = "serial"))]
@@ -28,6 +39,31 @@ pub fn ports() -> Vec<PortChoice> {
 }
 
 /// Where a transfer goes.
+#[derive(Debug)]
+pub enum Target {
+    /// Over a line.
+    Line {
+        /// Over which port.
+        port: Port,
+        /// Settings of the line.
+        profile: SerialProfile,
+    },
+    /// Into a folder.
+    Folder(FolderProfile),
+}
+
+impl Target {
+    /// What `name` means for a control: a port, or the folder for its programs. `lathe` stands behind [`VIRTUAL`].
+    #[must_use]
+    pub fn named(name: &str, delivery: &Delivery, lathe: &VirtualLathe) -> Self {
+        match delivery {
+            Delivery::Line(profile) => Self::Line { port: Port::named(name, lathe), profile: profile.clone() },
+            Delivery::Folder(profile) => Self::Folder(FolderProfile { folder: name.to_owned(), ..profile.clone() }),
+        }
+    }
+}
+
+/// A port of a line.
 #[derive(Debug)]
 pub enum Port {
     /// The virtual lathe in this process.
@@ -39,9 +75,7 @@ pub enum Port {
 }
 
 impl Port {
-    /// The port with this name; `lathe` stands behind the name [`VIRTUAL`].
-    #[must_use]
-    pub fn named(name: &str, lathe: &VirtualLathe) -> Self {
+    fn named(name: &str, lathe: &VirtualLathe) -> Self {
         if name == VIRTUAL { Self::Virtual(lathe.clone()) } else { Self::Serial(name.to_owned()) }
     }
 }
@@ -70,9 +104,22 @@ pub(super) fn open(port: Port, profile: &SerialProfile, unpaced: bool) -> Result
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::transfer::line::tests::{fanuc_profile, orac_profile};
 
     #[test]
-    fn the_virtual_lathe_is_always_in_the_list() {
-        assert_eq!(ports().iter().filter(|choice| choice.name == VIRTUAL).count(), 1);
+    fn a_virtual_control_is_always_in_the_list() {
+        for (profile, label) in [(orac_profile(), "Virtual lathe"), (fanuc_profile(), "Virtual Fanuc")] {
+            let all = ports(&Delivery::Line(profile));
+            assert!(all[0].name == VIRTUAL && all[0].label.starts_with(label), "{all:?}");
+            assert_eq!(all.iter().filter(|choice| choice.name == VIRTUAL).count(), 1);
+        }
+    }
+
+    #[test]
+    fn a_folder_is_the_only_choice_of_a_control_that_reads_one() {
+        let delivery = Delivery::Folder(FolderProfile { folder: "~/nc".to_owned(), extension: "ngc".to_owned() });
+        assert_eq!(ports(&delivery), [PortChoice { name: "~/nc".to_owned(), label: "Folder ~/nc".to_owned() }]);
+        let target = Target::named("/tmp/other", &delivery, &VirtualLathe::default());
+        assert!(matches!(target, Target::Folder(profile) if profile.folder == "/tmp/other"));
     }
 }

@@ -5,12 +5,12 @@ mod panel;
 mod settings;
 
 use crate::cancel::Cancel;
-use crate::machine::{Machine, SerialProfile};
+use crate::machine::{Delivery, Machine};
 use crate::session::{Session, Verdict};
 use crate::transfer::log::LogLine;
 use crate::transfer::ports::VIRTUAL;
 use crate::transfer::virtual_lathe::VirtualLathe;
-use crate::transfer::{Event, Job, Outcome, Port, PortChoice, Progress, Request, State, Task, ports};
+use crate::transfer::{Event, Job, Outcome, PortChoice, Progress, Request, State, Target, Task, ports};
 pub(crate) use panel::show;
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -20,7 +20,7 @@ const LOG_KEPT: usize = 2000;
 
 /// What the panel keeps, and the transfer that runs.
 pub(crate) struct TransferPanel {
-    profile: Option<(String, SerialProfile)>,
+    profile: Option<(String, Delivery)>,
     port: String,
     ports: Vec<PortChoice>,
     lathe: VirtualLathe,
@@ -43,7 +43,7 @@ impl Default for TransferPanel {
         Self {
             profile: None,
             port: VIRTUAL.to_owned(),
-            ports: ports(),
+            ports: Vec::new(),
             lathe: VirtualLathe::default(),
             job: None,
             state: State::Opening,
@@ -143,16 +143,16 @@ impl TransferPanel {
     }
 
     fn compare(&mut self, session: &Session, notify: impl Fn() + Send + 'static) {
-        if let Some((_, sent)) = self.sent.clone() {
-            self.start(Task::Compare { sent }, session, notify);
+        if let Some((name, sent)) = self.sent.clone() {
+            self.start(Task::Compare { name, sent }, session, notify);
         }
     }
 
     fn start(&mut self, task: Task, session: &Session, notify: impl Fn() + Send + 'static) {
         let Some(machine) = session.derived().and_then(|d| d.machine.clone()) else { return };
-        let profile = self.profile_for(&machine).clone();
-        let request =
-            Request { unpaced: !self.paced, ..Request::new(task, Port::named(&self.port, &self.lathe), &profile) };
+        let delivery = self.profile_for(&machine).clone();
+        let target = Target::named(&self.port, &delivery, &self.lathe);
+        let request = Request { unpaced: !self.paced, ..Request::new(task, target) };
         self.asked_to_insist = false;
         self.outcome = None;
         self.progress = Progress::default();
@@ -160,12 +160,23 @@ impl TransferPanel {
         self.job = Some(Job::start(request, &Cancel::default(), notify));
     }
 
-    /// The line settings for a machine: its own until they are edited.
-    fn profile_for(&mut self, machine: &Machine) -> &mut SerialProfile {
-        let fresh = || (machine.id.clone(), machine.serial.clone());
+    /// The settings for a machine: its own until they are edited.
+    fn profile_for(&mut self, machine: &Machine) -> &mut Delivery {
         if self.profile.as_ref().is_some_and(|(id, _)| *id != machine.id) {
             self.profile = None;
         }
-        &mut self.profile.get_or_insert_with(fresh).1
+        if self.profile.is_none() {
+            self.list_ports(machine);
+        }
+        &mut self.profile.get_or_insert_with(|| (machine.id.clone(), machine.serial.clone())).1
+    }
+
+    /// Lists what a machine's programs can go to; a choice that another machine left gives way to the first.
+    fn list_ports(&mut self, machine: &Machine) {
+        let former = std::mem::replace(&mut self.ports, ports(&machine.serial));
+        let is_in = |choices: &[PortChoice]| choices.iter().any(|choice| choice.name == self.port);
+        if (former.is_empty() || is_in(&former)) && !is_in(&self.ports) {
+            self.port = self.ports.first().map(|choice| choice.name.clone()).unwrap_or_default();
+        }
     }
 }

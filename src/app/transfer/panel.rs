@@ -5,8 +5,9 @@ use crate::app::actions::Action;
 use crate::app::desk::Requests;
 use crate::app::theme::{self, Colors};
 use crate::app::widgets::{Typed, choice, clock, field, form_label, link, title_row};
+use crate::machine::Machine;
 use crate::session::{Session, Verdict};
-use crate::transfer::{Outcome, ports};
+use crate::transfer::Outcome;
 use egui::{Align, Layout, Rect, RichText, Sense, Ui, vec2};
 
 /// Width of the labels, points.
@@ -30,7 +31,9 @@ pub(crate) fn show(
     if let Some(machine) = machine.as_ref().filter(|_| panel.show_settings) {
         settings::show(ui, panel.profile_for(machine));
     }
-    port(ui, panel);
+    if let Some(machine) = &machine {
+        port(ui, panel, machine);
+    }
     ui.add_space(2.0);
     progress(ui, panel, session);
     second_step(ui, panel, session, requests);
@@ -40,7 +43,7 @@ pub(crate) fn show(
     dragged
 }
 
-fn port(ui: &mut Ui, panel: &mut TransferPanel) {
+fn port(ui: &mut Ui, panel: &mut TransferPanel, machine: &Machine) {
     ui.horizontal(|ui| {
         form_label(ui, "Port", LABEL);
         let mut all: Vec<(String, String)> = panel.ports.iter().map(|p| (p.name.clone(), short(&p.label))).collect();
@@ -50,7 +53,7 @@ fn port(ui: &mut Ui, panel: &mut TransferPanel) {
         let width = ui.available_width();
         if let Some(port) = choice(ui, "Port", &panel.port, &all, width) {
             panel.port = port;
-            panel.ports = ports();
+            panel.list_ports(machine);
         }
     });
     if !panel.ports.iter().any(|p| p.name == panel.port) {

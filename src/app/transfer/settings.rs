@@ -1,14 +1,18 @@
 //! The line settings, editable.
 
 use crate::app::widgets::{Typed, choice, field, form_label};
-use crate::machine::{FlowControl, Parity, SerialProfile};
+use crate::machine::{Delivery, EndOfBlock, FlowControl, Parity, Protocol, SerialProfile};
 use egui::Ui;
 
 /// Width of the labels, points.
 const LABEL: f32 = 86.0;
 
 /// `2400 7O1`: the settings as people write them.
-pub(super) fn brief(profile: &SerialProfile) -> String {
+pub(super) fn brief(delivery: &Delivery) -> String {
+    let profile = match delivery {
+        Delivery::Line(profile) => profile,
+        Delivery::Folder(profile) => return format!(".{}", profile.extension),
+    };
     let parity = match profile.parity {
         Parity::None => 'N',
         Parity::Odd => 'O',
@@ -17,8 +21,14 @@ pub(super) fn brief(profile: &SerialProfile) -> String {
     format!("{} {}{parity}{}", profile.baud, profile.data_bits, profile.stop_bits)
 }
 
-/// Shows the settings as a form.
-pub(super) fn show(ui: &mut Ui, profile: &mut SerialProfile) {
+/// Shows the settings as a form; a folder has none but its path, which is the port.
+pub(super) fn show(ui: &mut Ui, delivery: &mut Delivery) {
+    if let Delivery::Line(profile) = delivery {
+        line(ui, profile);
+    }
+}
+
+fn line(ui: &mut Ui, profile: &mut SerialProfile) {
     let baud = profile.baud.to_string();
     let read = |text: &str| {
         let baud = text.trim().parse::<u32>().ok().filter(|b| (50..=4_000_000).contains(b));
@@ -35,12 +45,13 @@ pub(super) fn show(ui: &mut Ui, profile: &mut SerialProfile) {
         [(Parity::None, "none"), (Parity::Odd, "odd"), (Parity::Even, "even")].map(|(p, t)| (p, t.to_owned()));
     pick(ui, "Parity", &mut profile.parity, &parities);
     pick(ui, "Stop bits", &mut profile.stop_bits, &[(1, "1".to_owned()), (2, "2".to_owned())]);
-    let flows = [
-        (FlowControl::None, "none".to_owned()),
-        (FlowControl::Software, "DC1/DC3".to_owned()),
-        (FlowControl::Hardware, "RTS/CTS".to_owned()),
-    ];
-    pick(ui, "Flow control", &mut profile.flow, &flows);
+    let flows = [(FlowControl::None, "none"), (FlowControl::Software, "DC1/DC3"), (FlowControl::Hardware, "RTS/CTS")];
+    pick(ui, "Flow control", &mut profile.flow, &flows.map(|(f, t)| (f, t.to_owned())));
+    if let Protocol::FanucReaderPunch(habits) = &mut profile.protocol {
+        let ends = [(EndOfBlock::Lf, "LF"), (EndOfBlock::LfCrCr, "LF CR CR")].map(|(e, t)| (e, t.to_owned()));
+        pick(ui, "End of block", &mut habits.end_of_block, &ends);
+        pick(ui, "TV check", &mut habits.tv_check, &[(false, "off".to_owned()), (true, "on".to_owned())]);
+    }
 }
 
 fn row(ui: &mut Ui, label: &str, content: impl FnOnce(&mut Ui, f32)) {

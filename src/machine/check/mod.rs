@@ -5,8 +5,7 @@ mod tool;
 mod words;
 
 use super::{
-    Chuck, Cost, DatumRule, Dialect, Limits, Machine, Motion, Outline, SerialProfile, SpeedRule, Spindle, SpindleRange,
-    TurretTool,
+    Chuck, Cost, DatumRule, Dialect, Limits, Machine, Motion, Outline, SpeedRule, Spindle, SpindleRange, TurretTool,
 };
 pub(super) use material::material;
 use std::collections::BTreeSet;
@@ -32,8 +31,6 @@ const FEED: RangeInclusive<f64> = 0.001..=100_000.0;
 const SPEED_RPM: RangeInclusive<f64> = 1.0..=100_000.0;
 /// Stations of a turret.
 const STATIONS: RangeInclusive<u32> = 1..=99;
-/// Speeds of a serial line, bits per second.
-const BAUD: RangeInclusive<u32> = 50..=4_000_000;
 /// Blocks that hold a start, one move and an end.
 const FEWEST_BLOCKS: usize = 8;
 
@@ -103,7 +100,9 @@ pub(super) fn machine(machine: &Machine) -> Vec<Fault> {
     control(&mut check, machine);
     places(&mut check, machine);
     holding(&mut check, &machine.datum, &machine.chuck);
-    serial(&mut check, &machine.serial);
+    for (key, message) in machine.serial.faults() {
+        check.fault(&format!("serial.{key}"), message);
+    }
     turret(&mut check, machine);
     check.0
 }
@@ -217,28 +216,6 @@ fn holding(check: &mut Check, datum: &DatumRule, chuck: &Chuck) {
     check.range("chuck.gap_mm", chuck.gap_mm, LENGTH_MM, "mm");
     check.range("chuck.grip_mm", chuck.grip_mm, LENGTH_MM, "mm");
     check.range("chuck.automatic_grip_mm", chuck.automatic_grip_mm, LENGTH_MM, "mm");
-}
-
-fn serial(check: &mut Check, profile: &SerialProfile) {
-    if !BAUD.contains(&profile.baud) {
-        let message =
-            format!("The speed is {} bits/s; it must be {} to {} bits/s.", profile.baud, BAUD.start(), BAUD.end());
-        check.fault("serial.baud", message);
-    }
-    if !(7..=8).contains(&profile.data_bits) {
-        check.fault("serial.data_bits", format!("The value is {} bits; it must be 7 or 8.", profile.data_bits));
-    }
-    if !(1..=2).contains(&profile.stop_bits) {
-        check.fault("serial.stop_bits", format!("The value is {} bits; it must be 1 or 2.", profile.stop_bits));
-    }
-    for (path, byte) in [("serial.page_start", profile.page_start), ("serial.end", profile.end)] {
-        if !byte.is_ascii_control() {
-            check.fault(path, format!("The value is {byte}; it must be a control character, 0 to 31 or 127."));
-        }
-    }
-    if profile.page_start == profile.end {
-        check.fault("serial.end", format!("The value is {}, the same as page_start; they must differ.", profile.end));
-    }
 }
 
 fn turret(check: &mut Check, machine: &Machine) {

@@ -4,8 +4,8 @@ use super::*;
 use crate::cancel::Cancel;
 
 use crate::machine::{
-    Chuck, DatumRule, Dialect, Directions, FlowControl, Limits, Machine, Parity, SerialProfile, SpeedRule, Spindle,
-    ToolOutline, TurretSide, ZeroEnd,
+    Chuck, DatumRule, Delivery, Dialect, Directions, FolderProfile, Limits, Machine, SpeedRule, Spindle, ToolOutline,
+    TurretSide, ZeroEnd,
 };
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -58,15 +58,7 @@ pub(super) fn machine() -> Machine {
         cost: None,
         tool_change_s: 4.0,
         tools: Vec::new(),
-        serial: SerialProfile {
-            baud: 2400,
-            data_bits: 7,
-            parity: Parity::Odd,
-            stop_bits: 1,
-            flow: FlowControl::None,
-            page_start: 2,
-            end: 4,
-        },
+        serial: Delivery::Folder(FolderProfile { folder: "~/nc".into(), extension: "nc".into() }),
     }
 }
 

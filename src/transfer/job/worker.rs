@@ -1,14 +1,16 @@
 //! The thread of a transfer: drives the protocol machines, looks at the abort flag, tells what happens.
 
-use super::{Event, Outcome, Progress, Request, State, Task, Timing};
+use super::{Event, Outcome, Progress, State, Task, Timing};
 use crate::cancel::Cancel;
-use crate::machine::SerialProfile;
-use crate::transfer::compare::{Blanks, compare};
-use crate::transfer::line::{self, DC1};
+use crate::machine::{DC1, DC2, DC3, SerialProfile};
+use crate::transfer::compare::Blanks;
+use crate::transfer::line;
 use crate::transfer::log::{Direction, Gatherer, LogLine};
-use crate::transfer::orac::{ReceiveStep, Receiver, SendStep, Sender};
-use crate::transfer::pages;
 use crate::transfer::port_thread::{PortEvent, PortThread};
+use crate::transfer::ports::Port;
+use crate::transfer::protocol;
+use crate::transfer::receiver::{ReceiveStep, Receiver};
+use crate::transfer::sender::{SendStep, Sender};
 use std::time::{Duration, Instant};
 
 /// Longest wait between two looks at the abort flag; an abort is promised within 200 ms.
@@ -25,21 +27,40 @@ const STALE: Duration = Duration::from_secs(1);
 
 type Tell<'a> = &'a dyn Fn(Event);
 
-/// Runs a transfer; the last event is its outcome.
-pub(super) fn run(request: Request, cancel: Cancel, tell: Tell<'_>) {
-    let outcome = match begin(request, cancel, tell) {
-        Ok(outcome) | Err(outcome) => outcome,
-    };
-    tell(Event::Done(outcome));
+/// How a transfer over a line is done, as in [`super::Request`].
+pub(super) struct Options {
+    pub(super) unpaced: bool,
+    pub(super) press_keys: bool,
+    pub(super) blanks: Blanks,
+    pub(super) timing: Timing,
+}
+
+/// Runs a transfer to its outcome.
+pub(super) fn run(
+    task: Task,
+    port: Port,
+    profile: SerialProfile,
+    options: Options,
+    cancel: Cancel,
+    tell: Tell<'_>,
+) -> Outcome {
+    begin(task, port, profile, options, cancel, tell).unwrap_or_else(|ended| ended)
 }
 
 /// The early end of a transfer comes as the error.
-fn begin(request: Request, cancel: Cancel, tell: Tell<'_>) -> Result<Outcome, Outcome> {
-    let Request { task, port, profile, unpaced, ask_to_send, blanks, timing } = request;
+fn begin(
+    task: Task,
+    port: Port,
+    profile: SerialProfile,
+    options: Options,
+    cancel: Cancel,
+    tell: Tell<'_>,
+) -> Result<Outcome, Outcome> {
     line::check(&profile).map_err(Outcome::Failed)?;
+    let unpaced = options.unpaced;
     let sender = match &task {
         Task::Send { text, .. } => Some(
-            Sender::new(text, &profile, unpaced, timing.stuck)
+            Sender::new(text, &profile, unpaced, options.timing.patience())
                 .map_err(|refused| Outcome::Failed(refused.to_string()))?,
         ),
         Task::Receive | Task::Compare { .. } => None,
@@ -51,9 +72,7 @@ fn begin(request: Request, cancel: Cancel, tell: Tell<'_>) -> Result<Outcome, Ou
         character_time: (!unpaced).then(|| line::character_time(&profile)),
         profile,
         cancel,
-        timing,
-        ask_to_send,
-        blanks,
+        options,
         tell,
         began: Instant::now(),
         told_progress: None,
@@ -80,9 +99,7 @@ struct Worker<'a> {
     /// None if unpaced.
     character_time: Option<Duration>,
     cancel: Cancel,
-    timing: Timing,
-    ask_to_send: bool,
-    blanks: Blanks,
+    options: Options,
     tell: Tell<'a>,
     began: Instant,
     told_progress: Option<Duration>,
@@ -100,17 +117,17 @@ impl Worker<'_> {
         }
         match (task, sender) {
             (Task::Send { name, text, verify }, Some(sender)) => self.send(&name, &text, sender, verify),
-            (Task::Compare { sent } | Task::Send { text: sent, .. }, _) => self.receive_and_compare(&sent),
+            (Task::Compare { sent, .. } | Task::Send { text: sent, .. }, _) => self.receive_and_compare(&sent),
             (Task::Receive, _) => {
-                let text = self.receive(None)?;
-                let problems = pages::problems(&text, self.profile.page_start);
-                Ok(Outcome::Received { text, problems })
+                let received = self.receive(None)?;
+                let problems = protocol::problems(&received, self.profile.protocol);
+                Ok(Outcome::Received { text: protocol::text_of(received, self.profile.protocol), problems })
             }
         }
     }
 
     fn wait_until_open(&mut self) -> Result<(), Outcome> {
-        while self.now() < self.timing.stuck {
+        while self.now() < self.options.timing.stuck {
             if let Some(PortEvent::Opened(remarks)) = self.next(LOOK)? {
                 for remark in remarks {
                     self.note(remark);
@@ -118,7 +135,7 @@ impl Worker<'_> {
                 return Ok(());
             }
         }
-        let waited = self.timing.stuck.as_secs_f64();
+        let waited = self.options.timing.stuck.as_secs_f64();
         Err(Outcome::Failed(format!("The port did not open within {waited} s. Check the cable or adapter.")))
     }
 
@@ -139,8 +156,11 @@ impl Worker<'_> {
     }
 
     fn send(&mut self, name: &str, text: &str, mut sender: Sender, verify: bool) -> Result<Outcome, Outcome> {
+        if !sender.has_started() {
+            self.wait_for_reader(&mut sender)?;
+        }
         (self.tell)(Event::State(State::Sending));
-        self.note(format!("Sending {name}: {} bytes, {} pages.", sender.bytes().1, sender.pages().1));
+        self.note(format!("Sending {name}: {} bytes, {} blocks.", sender.bytes().1, sender.blocks().1));
         self.send_bytes(&mut sender)?;
         self.wait_until_out()?;
         self.progress(sending(&sender, self.now()), true);
@@ -149,6 +169,29 @@ impl Worker<'_> {
         }
         self.settle()?;
         Ok(Outcome::SentNotVerified)
+    }
+
+    /// Waits until the control asks for the program.
+    fn wait_for_reader(&mut self, sender: &mut Sender) -> Result<(), Outcome> {
+        (self.tell)(Event::State(State::WaitingForReader));
+        self.note(State::WaitingForReader.to_string());
+        // What was written is counted as sent from here on, so the key must be out before.
+        let mut key_is_out = !self.options.press_keys;
+        if !key_is_out {
+            self.port.write(vec![DC2]);
+        }
+        while !(sender.has_started() && key_is_out) {
+            if let SendStep::Failed(reason) = sender.poll(self.now()) {
+                return Err(Outcome::Failed(reason));
+            }
+            match self.next(LOOK)? {
+                Some(PortEvent::Read(bytes)) => sender.received(&bytes, self.now()),
+                Some(PortEvent::Wrote(bytes)) if bytes.is_empty() => self.port.write(vec![DC2]),
+                Some(PortEvent::Wrote(_)) => key_is_out = true,
+                _ => {}
+            }
+        }
+        Ok(())
     }
 
     fn send_bytes(&mut self, sender: &mut Sender) -> Result<(), Outcome> {
@@ -189,10 +232,10 @@ impl Worker<'_> {
                 Some(_) => {}
                 None => self.port.ask_queued(),
             }
-            if self.now().saturating_sub(since) >= self.timing.stuck {
+            if self.now().saturating_sub(since) >= self.options.timing.stuck {
                 return Err(Outcome::Failed(format!(
                     "The port keeps the last bytes back for more than {} s. Check the cable and the flow control.",
-                    self.timing.stuck.as_secs_f64()
+                    self.options.timing.stuck.as_secs_f64()
                 )));
             }
         }
@@ -208,21 +251,23 @@ impl Worker<'_> {
 
     fn receive_and_compare(&mut self, sent: &str) -> Result<Outcome, Outcome> {
         let received = self.receive(Some(sent))?;
-        let differences = compare(sent, &received, self.profile.page_start, self.blanks);
+        let differences = protocol::compare(sent, &received, self.profile.protocol, self.options.blanks);
         Ok(if differences.is_empty() { Outcome::Verified } else { Outcome::Different(differences) })
     }
 
     fn receive(&mut self, expected: Option<&str>) -> Result<String, Outcome> {
         (self.tell)(Event::State(State::WaitingForControl));
         self.note(State::WaitingForControl.to_string());
-        let mut receiver = Receiver::new(&self.profile, self.timing.first, self.timing.idle);
-        let expected = expected.map(|text| (text.len(), pages::split(text, self.profile.page_start).pages.len()));
-        let mut asking = self.ask_to_send && self.early.is_empty();
+        let mut receiver = Receiver::new(&self.profile, self.options.timing.first, self.options.timing.idle);
+        let expected = expected
+            .and_then(|text| protocol::outgoing(text, self.profile.protocol).ok())
+            .map(|outgoing| (outgoing.bytes.len(), outgoing.block_starts.len()));
         let mut arrived = std::mem::take(&mut self.early);
+        let mut asking = self.options.press_keys && arrived.iter().all(|byte| [DC1, DC3].contains(byte));
         loop {
             self.take(&mut receiver, &arrived, expected);
             match receiver.poll(self.now()) {
-                ReceiveStep::Done => return Ok(receiver.into_text()),
+                ReceiveStep::Done => return Ok(receiver.into_received()),
                 ReceiveStep::Failed(reason) => return Err(Outcome::Failed(reason)),
                 ReceiveStep::Wait => {}
             }
@@ -258,7 +303,7 @@ impl Worker<'_> {
             return Err(Outcome::Aborted);
         }
         let event = self.port.next(wait);
-        let (now, end) = (self.now(), self.profile.end);
+        let (now, end) = (self.now(), protocol::end_mark(self.profile.protocol));
         let lines = match &event {
             _ if self.cancel.is_cancelled() => return Err(Outcome::Aborted),
             Some(PortEvent::Failed(reason)) => return Err(Outcome::Failed(reason.clone())),
@@ -298,7 +343,7 @@ impl Worker<'_> {
 }
 
 fn sending(sender: &Sender, now: Duration) -> Progress {
-    let ((bytes, bytes_total), (block, blocks_total)) = (sender.bytes(), sender.pages());
+    let ((bytes, bytes_total), (block, blocks_total)) = (sender.bytes(), sender.blocks());
     let eta = sender.time_left(now);
     Progress { bytes, bytes_total: Some(bytes_total), block, blocks_total: Some(blocks_total), elapsed: now, eta }
 }
@@ -313,7 +358,7 @@ fn receiving(
     Progress {
         bytes: receiver.bytes(),
         bytes_total: expected.map(|(bytes, _)| bytes),
-        block: receiver.pages(),
+        block: receiver.blocks(),
         blocks_total: expected.map(|(_, blocks)| blocks),
         elapsed: now,
         eta: left.zip(character_time).map(|(left, time)| time * left),

@@ -12,6 +12,8 @@ pub enum ByteFaultKind {
     Change,
     /// It arrives twice.
     Duplicate,
+    /// Its parity is wrong: it arrives as NUL, which is what a serial driver makes of it.
+    Parity,
 }
 
 /// Which bytes suffer.
@@ -39,12 +41,15 @@ pub struct ByteFault {
 /// | word | meaning |
 /// |---|---|
 /// | `drop@N`, `change@N`, `duplicate@N` | the Nth byte that reaches the lathe (from 1) is lost, has its lowest bit flipped, or arrives twice |
+/// | `parity@N` | the Nth byte that reaches the lathe arrives with the wrong parity |
 /// | `drop=P%`, `change=P%`, `duplicate=P%` | the same for every byte with a probability of P per cent |
 /// | `answer-drop@N` and so on | the same for bytes that the lathe sends back |
 /// | `seed=N` | which bytes a probability strikes; the same seed strikes the same bytes |
 /// | `delay=T` | a pause after every 16 bytes either way; T as `50ms` or `2s` |
 /// | `stall@N` | the lathe reads no more after N bytes |
 /// | `unplug@N` | the connection is cut after N bytes |
+/// | `reset@N` | the lathe is reset after N bytes: the program that is coming in is lost |
+/// | `late-dc3@N` | a Fanuc sends DC3 N characters late; it has room for 16 |
 /// | `silent` | the lathe takes programs and never sends anything |
 /// | `truncate@N` | what the lathe sends back ends after N bytes |
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -61,6 +66,10 @@ pub struct FaultSpec {
     pub stall_after: Option<usize>,
     /// Cuts the connection after so many bytes.
     pub unplug_after: Option<usize>,
+    /// Is reset after so many bytes.
+    pub reset_after: Option<usize>,
+    /// Sends DC3 so many characters late.
+    pub late_dc3: Option<usize>,
     /// Never sends anything.
     pub silent: bool,
     /// Ends what it sends after so many bytes.
@@ -70,9 +79,9 @@ pub struct FaultSpec {
 /// A word of a fault specification that cannot be understood.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "The fault `{word}` is not understood: {why}. Possible are drop, change and duplicate as drop@N or drop=P% (for what \
-     the lathe sends back answer-drop and so on), seed=N, delay=T, stall@N, unplug@N, truncate@N and silent, separated by \
-     commas; N is a place in bytes from 1, P a probability in per cent from 0 to 100, T a time up to 60s such as 50ms or 2s."
+    "The fault `{word}` is not understood: {why}. Possible are drop, change, duplicate and parity as drop@N or drop=P% \
+     (for what the lathe sends back answer-drop and so on), seed=N, delay=T, stall@N, unplug@N, reset@N, late-dc3@N, \
+     truncate@N and silent, separated by commas; N is a place in bytes from 1, P a probability in per cent from 0 to 100, T a time up to 60s such as 50ms or 2s."
 )]
 pub struct BadFault {
     /// The word.
@@ -112,6 +121,8 @@ impl FaultSpec {
         match name {
             "stall" => self.stall_after = Some(place),
             "unplug" => self.unplug_after = Some(place),
+            "reset" => self.reset_after = Some(place),
+            "late-dc3" => self.late_dc3 = Some(place),
             "truncate" => self.truncate_after = Some(place),
             _ => self.add_byte_fault(name, When::At(place))?,
         }
@@ -139,6 +150,7 @@ impl FaultSpec {
             "drop" => ByteFaultKind::Drop,
             "change" => ByteFaultKind::Change,
             "duplicate" => ByteFaultKind::Duplicate,
+            "parity" => ByteFaultKind::Parity,
             _ => return Err("there is no fault of this name"),
         };
         list.push(ByteFault { kind, when });
@@ -188,6 +200,7 @@ impl FaultLane {
                 ByteFaultKind::Drop => copies = 0,
                 ByteFaultKind::Change => byte ^= 1,
                 ByteFaultKind::Duplicate => copies *= 2,
+                ByteFaultKind::Parity => byte = 0,
             }
         }
         (byte, copies)
@@ -210,10 +223,11 @@ mod tests {
     #[test]
     fn reads_what_is_documented() {
         let spec: FaultSpec = "drop@100, change@250,duplicate=0.5%,answer-drop@7,seed=3,unplug@500,silent,delay=50ms,\
-                               truncate@9,stall@8"
+                               truncate@9,stall@8,parity@4,reset@11,late-dc3@17"
             .parse()
             .unwrap();
-        assert_eq!(spec.incoming.len(), 3);
+        assert_eq!(spec.incoming.len(), 4);
+        assert_eq!((spec.reset_after, spec.late_dc3), (Some(11), Some(17)));
         assert_eq!(spec.incoming[0], ByteFault { kind: ByteFaultKind::Drop, when: When::At(100) });
         assert_eq!(spec.incoming[2], ByteFault { kind: ByteFaultKind::Duplicate, when: When::Chance(0.005) });
         assert_eq!(spec.answer.len(), 1);

@@ -1,16 +1,19 @@
 //! A lathe without metal: takes a program at the speed of the line, keeps it, and sends it back when asked.
 //!
-//! "Asked" is the operator's send key: [`VirtualLathe::press_send`], or, for a lathe in another process, a lone DC1
-//! (0x11) received outside a program. A second program replaces the first. Faults are set with a [`FaultSpec`].
+//! It plays the control whose profile it is given. "Asked" is the operator's send key: [`VirtualLathe::press_send`], or,
+//! for a lathe in another process, a lone DC1 (0x11) received outside a program; a lone DC2 (0x12) presses a Fanuc's READ
+//! key. A second program replaces the first. Faults are set with a [`FaultSpec`].
 
 mod control;
+mod fanuc;
 mod faults;
+mod orac;
 #[cfg(all(unix, feature = "serial"))]
 mod pty;
 
 use super::link::{self, Link, PipeEnd};
 use crate::cancel::Cancel;
-use crate::machine::SerialProfile;
+use crate::machine::{Protocol, SerialProfile};
 use control::Control;
 pub use faults::{BadFault, ByteFault, ByteFaultKind, FaultSpec, When};
 #[cfg(all(unix, feature = "serial"))]
@@ -33,8 +36,8 @@ pub enum LatheEvent {
     Stored {
         /// Bytes of the program.
         bytes: usize,
-        /// Pages of the program.
-        pages: usize,
+        /// Pages or blocks of the program.
+        blocks: usize,
         /// What is wrong with its form; empty if it is well-formed.
         problems: Vec<String>,
     },
@@ -50,6 +53,10 @@ pub enum LatheEvent {
     },
     /// It was asked to send, and a fault keeps it silent.
     KeptSilent,
+    /// It stopped with this alarm; nothing is kept.
+    Alarm(&'static str),
+    /// A fault reset it.
+    Reset,
     /// A fault pulled its plug.
     Unplugged,
 }
@@ -58,13 +65,15 @@ impl fmt::Display for LatheEvent {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Ready { port } => write!(f, "The virtual lathe listens at {port}"),
-            Self::Stored { bytes, pages, problems } => {
-                write!(f, "Program stored: {bytes} bytes, {pages} pages.")?;
+            Self::Stored { bytes, blocks, problems } => {
+                write!(f, "Program stored: {bytes} bytes, {blocks} blocks.")?;
                 problems.iter().try_for_each(|problem| write!(f, "\n  {problem}"))
             }
             Self::BrokenOff { bytes } => write!(f, "A program broke off after {bytes} bytes; nothing is kept."),
             Self::Answering { bytes } => write!(f, "Sending the program back: {bytes} bytes."),
             Self::KeptSilent => f.write_str("Asked to send; the fault `silent` keeps it quiet."),
+            Self::Alarm(text) => write!(f, "Alarm {text}; nothing is kept."),
+            Self::Reset => f.write_str("Reset by a fault."),
             Self::Unplugged => f.write_str("Unplugged by a fault."),
         }
     }
@@ -100,7 +109,7 @@ pub fn run_on_pty(
 /// What outlives a connection.
 #[derive(Debug, Default)]
 struct Memory {
-    program: Option<Vec<u8>>,
+    program: Option<(Protocol, Vec<u8>)>,
     send_pressed: bool,
     faults: FaultSpec,
     events: Vec<LatheEvent>,
@@ -132,7 +141,24 @@ impl VirtualLathe {
     /// The program that it holds.
     #[must_use]
     pub fn program(&self) -> Option<String> {
-        self.lock().program.as_deref().map(|bytes| String::from_utf8_lossy(bytes).into_owned())
+        self.lock().program.as_ref().map(|(_, bytes)| String::from_utf8_lossy(bytes).into_owned())
+    }
+
+    fn keep(&self, protocol: Protocol, program: Vec<u8>) {
+        self.lock().program = Some((protocol, program));
+    }
+
+    /// The program, if it came by the same protocol.
+    fn kept(&self, protocol: Protocol) -> Option<Vec<u8>> {
+        self.lock().program.as_ref().filter(|(by, _)| *by == protocol).map(|(_, bytes)| bytes.clone())
+    }
+
+    fn forget(&self) {
+        self.lock().program = None;
+    }
+
+    fn send_was_pressed(&self) -> bool {
+        std::mem::take(&mut self.lock().send_pressed)
     }
 
     /// What it had to say since the last call.

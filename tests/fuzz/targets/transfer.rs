@@ -4,15 +4,26 @@
 use libfuzzer_sys::fuzz_target;
 use std::sync::LazyLock;
 use std::time::Duration;
-use turnwright::machine::{Catalog, FlowControl, SerialProfile};
+use turnwright::machine::{Catalog, Delivery, EndOfBlock, FlowControl, Protocol, ReaderPunch, SerialProfile};
 use turnwright::transfer::compare::Blanks;
-use turnwright::transfer::orac::{ReceiveStep, Receiver, SendStep, Sender};
-use turnwright::transfer::{compare, pages};
+use turnwright::transfer::protocol::{compare, outgoing, problems, text_of};
+use turnwright::transfer::receiver::{ReceiveStep, Receiver};
+use turnwright::transfer::sender::{Patience, SendStep, Sender};
 
-static PROFILE: LazyLock<SerialProfile> =
-    LazyLock::new(|| Catalog::shipped().machine("orac").expect("shipped").serial.clone());
+static ORAC: LazyLock<SerialProfile> = LazyLock::new(|| {
+    let orac = Catalog::shipped().machine("orac").expect("shipped").serial.clone();
+    let Delivery::Line(profile) = orac else { panic!("no line") };
+    profile
+});
 
 const PATIENCE: Duration = Duration::from_secs(5);
+
+/// A Fanuc whose habits follow from a byte.
+fn fanuc(habits: u8) -> SerialProfile {
+    let end_of_block = if habits & 1 == 0 { EndOfBlock::Lf } else { EndOfBlock::LfCrCr };
+    let habits = ReaderPunch { end_of_block, tv_check: habits & 2 != 0, confirms_end: habits & 4 != 0 };
+    SerialProfile { flow: FlowControl::Software, protocol: Protocol::FanucReaderPunch(habits), ..ORAC.clone() }
+}
 
 /// The first byte of a chunk says how long it came after the one before.
 fn chunks(bytes: &[u8]) -> impl Iterator<Item = (Duration, &[u8])> {
@@ -31,17 +42,21 @@ fn receive(profile: &SerialProfile, bytes: &[u8]) {
     }
     assert_ne!(receiver.poll(now + PATIENCE), ReceiveStep::Wait, "waits for ever");
     let done = receiver.poll(now) == ReceiveStep::Done;
-    let text = receiver.into_text();
-    let _ = pages::problems(&text, profile.page_start);
-    let same = compare(&text, &text, profile.page_start, Blanks::Exact);
-    assert!(same.is_empty(), "{same:?}");
+    let received = receiver.into_received();
+    let text = text_of(received.clone(), profile.protocol);
+    if problems(&received, profile.protocol).is_empty() {
+        let same = compare(&text, &received, profile.protocol, Blanks::Exact);
+        assert!(same.is_empty(), "{same:?}");
+    }
     if done {
         send(profile, &text, bytes);
     }
 }
 
 fn send(profile: &SerialProfile, text: &str, answers: &[u8]) {
-    let Ok(mut sender) = Sender::new(text, profile, true, PATIENCE) else { return };
+    let patience = Patience { start: PATIENCE, stuck: PATIENCE };
+    let Ok(mut sender) = Sender::new(text, profile, true, patience) else { return };
+    let whole = outgoing(text, profile.protocol).expect("the sender took it").bytes;
     let (mut now, mut out) = (Duration::ZERO, Vec::new());
     for (pause, chunk) in chunks(answers) {
         now += pause;
@@ -57,14 +72,19 @@ fn send(profile: &SerialProfile, text: &str, answers: &[u8]) {
         };
         sender.written(taken, now);
     }
-    assert!(text.as_bytes().starts_with(out.strip_suffix(&[profile.end]).unwrap_or(&out)));
+    assert!(whole.starts_with(&out));
 }
 
 fuzz_target!(|bytes: &[u8]| {
-    receive(&PROFILE, bytes);
-    receive(&SerialProfile { flow: FlowControl::Software, ..PROFILE.clone() }, bytes);
-    let text = String::from_utf8_lossy(bytes);
-    let (a, b) = text.split_at(text.floor_char_boundary(text.len() / 2));
-    let _ = (compare(a, b, 2, Blanks::Exact), compare(a, b, 2, Blanks::Ignored));
-    send(&PROFILE, &text, bytes);
+    let habits = bytes.first().copied().unwrap_or_default();
+    let software = SerialProfile { flow: FlowControl::Software, ..ORAC.clone() };
+    for profile in [ORAC.clone(), software, fanuc(habits)] {
+        receive(&profile, bytes);
+        let text = String::from_utf8_lossy(bytes);
+        let (a, b) = text.split_at(text.floor_char_boundary(text.len() / 2));
+        for blanks in [Blanks::Exact, Blanks::Ignored] {
+            let _ = compare(a, b, profile.protocol, blanks);
+        }
+        send(&profile, &text, bytes);
+    }
 });

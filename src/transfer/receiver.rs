@@ -1,8 +1,9 @@
-//! Receives a program text.
+//! Receives a program text: the same machine for every protocol, with a [`Frame`] that knows where a program begins and
+//! ends.
 
-use crate::machine::{FlowControl, Parity, SerialProfile};
-use crate::transfer::line::{DC1, DC3};
-use crate::transfer::log::visible;
+use super::protocol;
+use crate::machine::{DC1, DC3, Parity, SerialProfile};
+use std::fmt::Debug;
 use std::time::Duration;
 
 /// What to do next.
@@ -10,40 +11,63 @@ use std::time::Duration;
 pub enum ReceiveStep {
     /// Hand in what comes.
     Wait,
-    /// The end mark came; [`Receiver::into_text`] has the text.
+    /// The end mark came; [`Receiver::into_received`] has what came.
     Done,
     /// The transfer cannot go on, and why.
     Failed(String),
 }
 
+/// What a byte is to a protocol.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Taken {
+    /// No part of the program: filling before or after it, or a mark of the transfer.
+    Skipped,
+    /// A character of the program.
+    Kept,
+    /// The character that begins a page or ends a block.
+    KeptMark,
+    /// The end of the transfer.
+    Ended,
+    /// Something that is no program; a sentence.
+    Wrong(String),
+}
+
+/// Finds a program in what comes in.
+pub(super) trait Frame: Debug + Send {
+    /// Takes the next byte; `text` is what was kept so far.
+    fn take(&mut self, byte: u8, text: &str) -> Taken;
+}
+
 /// Gathers one program up to its end mark. What comes after the end mark is not looked at.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Receiver {
     profile: SerialProfile,
+    frame: Box<dyn Frame>,
     wait_for_first: Duration,
     idle: Duration,
     text: String,
     seen: usize,
-    pages: usize,
+    blocks: usize,
     started: Option<Duration>,
     last_byte: Option<Duration>,
     end: Option<Result<(), String>>,
 }
 
 impl Receiver {
-    /// Most bytes of a program that are taken: over twenty times what 99 pages of nine lines hold.
+    /// Most bytes of a program that are taken: over twenty times what 99 pages of nine lines hold, and 640 m of tape.
     pub const LARGEST: usize = 256 * 1024;
 
     /// Nothing received yet. `wait_for_first` bounds the wait for the first character, `idle` each later gap.
     #[must_use]
     pub fn new(profile: &SerialProfile, wait_for_first: Duration, idle: Duration) -> Self {
         Self {
+            frame: protocol::frame(profile.protocol),
             profile: profile.clone(),
             wait_for_first,
             idle,
             text: String::new(),
             seen: 0,
-            pages: 0,
+            blocks: 0,
             started: None,
             last_byte: None,
             end: None,
@@ -62,35 +86,27 @@ impl Receiver {
     }
 
     fn take(&mut self, byte: u8, now: Duration) {
-        if self.profile.flow == FlowControl::Software && [DC1, DC3].contains(&byte) {
+        if self.profile.heeds_dc3() && [DC1, DC3].contains(&byte) {
             return;
         }
-        if self.text.is_empty() && is_leader(byte) {
+        let taken = self.frame.take(byte, &self.text);
+        if taken == Taken::Skipped && self.text.is_empty() {
             return;
         }
         self.last_byte = Some(now);
-        if byte == self.profile.end {
-            self.end = Some(self.ended());
-        } else if let Some(reason) = self.unusable(byte) {
-            self.end = Some(Err(reason));
-        } else {
-            self.pages += usize::from(byte == self.profile.page_start);
-            self.text.push(char::from(byte));
+        match taken {
+            Taken::Skipped => {}
+            Taken::Ended => self.end = Some(Ok(())),
+            Taken::Wrong(reason) => self.end = Some(Err(reason)),
+            Taken::Kept | Taken::KeptMark => {
+                if let Some(reason) = self.unusable(byte) {
+                    self.end = Some(Err(reason));
+                } else {
+                    self.blocks += usize::from(taken == Taken::KeptMark);
+                    self.text.push(char::from(byte));
+                }
+            }
         }
-    }
-
-    fn ended(&self) -> Result<(), String> {
-        if self.text.is_empty() {
-            return Err("The control sent an end mark and nothing else: it holds no program.".to_owned());
-        }
-        if self.pages == 0 {
-            return Err(format!(
-                "{} characters came, but no page mark {}: this is no program.",
-                self.text.len(),
-                visible(self.profile.page_start)
-            ));
-        }
-        Ok(())
     }
 
     fn unusable(&self, byte: u8) -> Option<String> {
@@ -130,73 +146,82 @@ impl Receiver {
         }
     }
 
-    /// Bytes of text so far.
+    /// Bytes of the program so far.
     #[must_use]
     pub fn bytes(&self) -> usize {
         self.text.len()
     }
 
-    /// Pages begun so far.
+    /// Pages begun, or blocks ended, so far.
     #[must_use]
-    pub fn pages(&self) -> usize {
-        self.pages
+    pub fn blocks(&self) -> usize {
+        self.blocks
     }
 
-    /// The text without its end mark.
+    /// The program as it came in, without the marks of the transfer.
     #[must_use]
-    pub fn into_text(self) -> String {
+    pub fn into_received(self) -> String {
         self.text
     }
 }
 
 /// What may come before a program without meaning: filling, line ends, tape and flow characters.
-fn is_leader(byte: u8) -> bool {
+pub(super) const fn is_filling(byte: u8) -> bool {
     matches!(byte, 0 | b'\r' | b'\n' | b' ' | 0x11..=0x14 | 0x7f)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::transfer::line::tests::orac_profile;
+    use crate::machine::FlowControl;
+    use crate::transfer::line::tests::{fanuc_profile, orac_profile};
     use proptest::prelude::*;
 
     const FIRST: Duration = Duration::from_mins(1);
     const IDLE: Duration = Duration::from_secs(5);
 
-    fn receiver() -> Receiver {
-        Receiver::new(&orac_profile(), FIRST, IDLE)
-    }
-
-    fn after(bytes: &[u8]) -> (ReceiveStep, String) {
-        let mut receiver = receiver();
+    fn after(profile: &SerialProfile, bytes: &[u8]) -> (ReceiveStep, String) {
+        let mut receiver = Receiver::new(profile, FIRST, IDLE);
         receiver.received(bytes, Duration::ZERO);
-        (receiver.poll(Duration::ZERO), receiver.into_text())
+        (receiver.poll(Duration::ZERO), receiver.into_received())
     }
 
-    fn failure(bytes: &[u8]) -> String {
-        let ReceiveStep::Failed(reason) = after(bytes).0 else { panic!("{bytes:?} was taken") };
+    fn failure(profile: &SerialProfile, bytes: &[u8]) -> String {
+        let ReceiveStep::Failed(reason) = after(profile, bytes).0 else { panic!("{bytes:?} was taken") };
         reason
     }
 
     #[test]
     fn takes_a_program_up_to_its_end_mark() {
-        let (step, text) = after(b"\0\0\r\n\x02PAGE 01 A\r\n\x04rest");
+        let (step, text) = after(&orac_profile(), b"\0\0\r\n\x02PAGE 01 A\r\n\x04rest");
         assert_eq!((step, text.as_str()), (ReceiveStep::Done, "\x02PAGE 01 A\r\n"));
+        let (step, text) = after(&fanuc_profile(), b"\x13\x12\0\0%\nO1\nM30\n%\n\0\0\x14rest");
+        assert_eq!((step, text.as_str()), (ReceiveStep::Done, "%\nO1\nM30\n%"));
     }
 
     #[test]
     fn unusable_answers_say_why() {
-        assert!(failure(b"\x04").contains("holds no program"));
-        assert!(failure(b"HELLO\x04").contains("no page mark ␂"));
-        assert!(failure(b"\x02PA\xc7").contains("Byte 4 arrived as character 199"));
-        assert!(failure(b"\x02PA\0").contains("character 0"));
+        let orac = |bytes: &[u8]| failure(&orac_profile(), bytes);
+        assert!(orac(b"\x04").contains("holds no program"));
+        assert!(orac(b"HELLO\x04").contains("no page mark ␂"));
+        assert!(orac(b"\x02PA\xc7").contains("Byte 4 arrived as character 199"));
+        assert!(orac(b"\x02PA\0").contains("character 0"));
         let endless = [&[2][..], &vec![b'X'; Receiver::LARGEST]].concat();
-        assert!(failure(&endless).contains("No end mark came within 262144 bytes"));
+        assert!(orac(&endless).contains("No end mark came within 262144 bytes"));
+
+        let fanuc = |bytes: &[u8]| failure(&fanuc_profile(), bytes);
+        assert!(fanuc(b"\x12\x14").contains("holds no program"));
+        assert!(fanuc(b"\x12%\n%\x14").contains("holds no program"));
+        assert!(fanuc(b"\x12O1\n").contains("begins with `O`"));
+        assert!(fanuc(b"\x12%\nO1\n\x14").contains("before the closing %"));
+        assert!(fanuc(b"\x12%\nO1\n%\nM30").contains("`M` came after the closing %"));
+        assert!(fanuc(b"\x12%\nO1\x07").contains("control character ␇ (7)"));
+        assert!(fanuc(b"\x12%\nO1\0").contains("character 0"));
     }
 
     #[test]
     fn silence_fails_in_simulated_time() {
-        let mut receiver = receiver();
+        let mut receiver = Receiver::new(&orac_profile(), FIRST, IDLE);
         assert_eq!(receiver.poll(Duration::from_secs(3)), ReceiveStep::Wait);
         assert_eq!(receiver.poll(Duration::from_secs(62)), ReceiveStep::Wait);
         receiver.received(b"\x02PAGE", Duration::from_secs(62));
@@ -212,27 +237,29 @@ mod tests {
     #[test]
     fn flow_characters_are_text_only_without_software_flow() {
         let soft = SerialProfile { flow: FlowControl::Software, ..orac_profile() };
-        let mut receiver = Receiver::new(&soft, FIRST, IDLE);
-        receiver.received(b"\x02PA\x13\x11GE\x04", Duration::ZERO);
-        assert_eq!(receiver.into_text(), "\x02PAGE");
-        assert_eq!(after(b"\x02PA\x13GE\x04").1, "\x02PA\x13GE");
+        assert_eq!(after(&soft, b"\x02PA\x13\x11GE\x04").1, "\x02PAGE");
+        assert_eq!(after(&orac_profile(), b"\x02PA\x13GE\x04").1, "\x02PA\x13GE");
     }
 
     proptest! {
         #[test]
-        fn noise_never_breaks_it(chunks in prop::collection::vec((prop::collection::vec(any::<u8>(), 0..300), 0u64..9), 0..20)) {
-            let (mut receiver, mut now, mut fed) = (receiver(), Duration::ZERO, 0);
+        fn noise_never_breaks_it(
+            is_fanuc in any::<bool>(),
+            chunks in prop::collection::vec((prop::collection::vec(any::<u8>(), 0..300), 0u64..9), 0..20),
+        ) {
+            let profile = if is_fanuc { fanuc_profile() } else { orac_profile() };
+            let (mut receiver, mut now, mut fed) = (Receiver::new(&profile, FIRST, IDLE), Duration::ZERO, 0);
             receiver.poll(now);
             for (bytes, seconds) in chunks {
                 now += Duration::from_secs(seconds);
                 receiver.received(&bytes, now);
                 fed += bytes.len();
                 prop_assert!(receiver.bytes() <= fed.min(Receiver::LARGEST));
-                prop_assert!(receiver.pages() <= receiver.bytes());
+                prop_assert!(receiver.blocks() <= receiver.bytes());
                 receiver.poll(now);
             }
             prop_assert_ne!(receiver.poll(now + FIRST), ReceiveStep::Wait);
-            prop_assert!(receiver.into_text().is_ascii());
+            prop_assert!(receiver.into_received().is_ascii());
         }
     }
 }

@@ -17,8 +17,11 @@ pub fn replace_file(path: &Path, bytes: &[u8]) -> Result<(), Diagnostic> {
     replace_with(path, |file| file.write_all(bytes))
 }
 
-/// As [`replace_file`], with the way of writing as an argument.
-fn replace_with(path: &Path, write: impl FnOnce(&mut File) -> io::Result<()>) -> Result<(), Diagnostic> {
+/// As [`replace_file`], with the way of writing as an argument; what fails while writing leaves the old file as it was.
+///
+/// # Errors
+/// As [`replace_file`].
+pub(crate) fn replace_with(path: &Path, write: impl FnOnce(&mut File) -> io::Result<()>) -> Result<(), Diagnostic> {
     let failed = |what: &str, e: io::Error| {
         let message = format!("The file cannot be saved: {what} failed ({e}). The old file, if any, is unchanged.");
         Diagnostic::error("save-failed", file_place(path), message)

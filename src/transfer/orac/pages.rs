@@ -1,19 +1,18 @@
 //! Pages of a program text: each begins with the page mark; what stands before the first is the leader.
 
-use super::log::visible;
+use crate::transfer::log::{shortened, visible};
 
 /// Text before the first page mark, and the pages without their marks.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Pages<'a> {
+pub(in crate::transfer) struct Pages<'a> {
     /// What stands before the first page mark; empty in a good program.
-    pub leader: &'a str,
+    pub(in crate::transfer) leader: &'a str,
     /// The pages in the order of the text, without their marks.
-    pub pages: Vec<&'a str>,
+    pub(in crate::transfer) pages: Vec<&'a str>,
 }
 
 /// Takes a text apart at its page marks.
-#[must_use]
-pub fn split(text: &str, page_start: u8) -> Pages<'_> {
+pub(in crate::transfer) fn split(text: &str, page_start: u8) -> Pages<'_> {
     let mut pieces = text.split(char::from(page_start));
     let leader = pieces.next().unwrap_or_default();
     Pages { leader, pages: pieces.collect() }
@@ -23,8 +22,7 @@ pub fn split(text: &str, page_start: u8) -> Pages<'_> {
 ///
 /// Well-formed: it begins with a page mark, every page begins with `PAGE` and its number counted from 1 without gaps,
 /// and it holds no control characters but page marks, carriage returns and line feeds.
-#[must_use]
-pub fn problems(text: &str, page_start: u8) -> Vec<String> {
+pub(in crate::transfer) fn problems(text: &str, page_start: u8) -> Vec<String> {
     let Pages { leader, pages } = split(text, page_start);
     let mut problems = Vec::new();
     if !leader.is_empty() {
@@ -53,13 +51,6 @@ fn wrong_character(text: &str, page_start: u8) -> Option<String> {
     let allowed = [page_start, b'\r', b'\n'];
     let (place, byte) = text.bytes().enumerate().find(|(_, b)| b.is_ascii_control() && !allowed.contains(b))?;
     Some(format!("Byte {} is the control character {} ({byte}).", place + 1, visible(byte)))
-}
-
-/// At most 30 characters of a line, control characters made visible.
-pub(super) fn shortened(line: &str) -> String {
-    const MOST: usize = 30;
-    let start: String = line.bytes().take(MOST).map(visible).collect();
-    if line.len() > MOST { start + "…" } else { start }
 }
 
 #[cfg(test)]
