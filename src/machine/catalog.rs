@@ -218,7 +218,7 @@ mod tests {
     fn shipped_files_are_without_fault() {
         let (catalog, diagnostics) = Catalog::shipped_with_diagnostics();
         assert_eq!(diagnostics, []);
-        assert_eq!((catalog.machines.len(), catalog.tools.len(), catalog.materials.len()), (5, 20, 7));
+        assert_eq!((catalog.machines.len(), catalog.tools.len(), catalog.materials.len()), (5, 38, 7));
         assert_eq!(Catalog::load(None), (catalog.clone(), Vec::new()));
         assert_eq!(load(&[]), (catalog, Vec::new()));
     }

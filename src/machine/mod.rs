@@ -3,6 +3,7 @@
 mod catalog;
 mod check;
 mod file;
+mod iso;
 mod material;
 mod motion;
 mod outline;
@@ -20,7 +21,7 @@ pub use serial::{
     ReaderPunch, SerialProfile, WrongKey,
 };
 pub use spindle::{SpeedRule, Spindle, SpindleRange};
-pub use tool::{Hand, Tool, ToolShape};
+pub use tool::{Hand, Shank, Tool, ToolShape};
 pub use words::{
     ArcCenter, ClampWord, Codes, Comments, DecimalPoint, Digits, DwellWord, Preset, ProgramNumber, SequenceNumbers,
     SpeedCode, ThreadAngle, ThreadWord, ToolWord, Words, Zeros,

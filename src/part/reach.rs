@@ -1,9 +1,9 @@
 //! Areas that a tool cannot reach.
 
-use super::sweep::{Underside, is_turning_insert};
+use super::sweep::Underside;
 use super::{Piece, Profile, Setup, contour};
 use crate::geometry::{Contour, Point, Segment};
-use crate::machine::{Machine, ToolOutline};
+use crate::machine::{Machine, ToolKind, ToolOutline};
 use std::collections::BTreeMap;
 
 /// An area between the finished contour and what a tool can leave of it.
@@ -40,7 +40,7 @@ const HEIGHT_SAMPLES: usize = 64;
 pub fn unreachable(setup: &Setup, tools: &BTreeMap<u32, ToolOutline>, machine: &Machine) -> Vec<UnreachableArea> {
     let turning: Vec<(u32, [Underside; 2])> = tools
         .iter()
-        .filter(|(_, tool)| is_turning_insert(&tool.insert))
+        .filter(|(_, tool)| tool.kind == ToolKind::Turning)
         .map(|(&station, tool)| (station, [&tool.insert, &tool.holder].map(Underside::of)))
         .collect();
     let pad = turning.iter().map(|(_, [insert, holder])| insert.reach() + holder.reach()).fold(0.0, f64::max);

@@ -3,7 +3,7 @@
 //! The surface is a radius at every position, the tool the underside of its outline; what it leaves is the closing of
 //! the surface by the tool (Serra, Image analysis and mathematical morphology, 1982).
 
-use crate::geometry::{Contour, Point, Segment};
+use crate::geometry::{Contour, Point};
 use std::collections::VecDeque;
 
 /// Largest distance of the chords of a nose from its arc, mm: below the width of a cell.
@@ -120,34 +120,9 @@ fn raise_by_one(lowest: &mut [f64], surface: &[f64], away: isize, base: f64) {
     }
 }
 
-/// True if the insert is that of a turning tool: it lies on one side of its tip and has no flat edge below, as a
-/// parting blade has.
-pub(super) fn is_turning_insert(insert: &Contour) -> bool {
-    /// Wider flats are blades, mm; a wiper edge is narrower.
-    const FLAT_MM: f64 = 1.0;
-    /// A side is a side even if the nose passes the tip by a rounding, mm.
-    const ROUNDING_MM: f64 = 1e-6;
-    let Some(bounds) = insert.bounds() else { return false };
-    let one_sided = (bounds.min.z >= -ROUNDING_MM) != (bounds.max.z <= ROUNDING_MM);
-    let flat = insert.segments.iter().any(|segment| {
-        let along = segment.end() - segment.start();
-        let low = segment.start().r.max(segment.end().r) - bounds.min.r <= ROUNDING_MM;
-        matches!(segment, Segment::Line { .. }) && low && along.x.abs() > FLAT_MM
-    });
-    one_sided && !flat
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::machine::Catalog;
-
-    #[test]
-    fn only_turning_tools_are_taken_as_such() {
-        let is_turning = |id: &str| is_turning_insert(&Catalog::shipped().tool(id).unwrap().outline().insert);
-        assert!(is_turning("orac-right") && is_turning("orac-left"));
-        assert!(!is_turning("orac-thread") && !is_turning("orac-part-off"));
-    }
 
     #[test]
     fn a_pointed_tool_leaves_its_flank_beside_a_wall() {

@@ -1,7 +1,14 @@
 //! The true outline of a tool: insert with nose arcs, and holder.
 
-use super::{Catalog, Hand, Machine, Tool, ToolShape};
-use crate::geometry::{Contour, Point, Segment, Vector};
+mod build;
+mod holder;
+mod insert;
+
+#[cfg(test)]
+mod properties;
+
+use super::{Catalog, Hand, Machine, Tool};
+use crate::geometry::{Contour, Point, Segment};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -101,133 +108,87 @@ pub fn outlines(machine: &Machine, catalog: &Catalog) -> BTreeMap<u32, ToolOutli
 }
 
 impl Tool {
-    /// The tool's outline in tool space: closed, counter-clockwise, nose arcs exact.
+    /// The tool's outline in tool space: closed, counter-clockwise, nose arcs exact. A tool with codes that are not
+    /// understood, which no catalog holds, has none.
     #[must_use]
     pub fn outline(&self) -> ToolOutline {
-        let holder: Vec<Point> = self.holder.iter().map(|&[z, r]| Point::new(z, r)).collect();
-        let insert = self.shape.insert();
-        let (kind, orientation) = match self.shape {
-            ToolShape::Turning { hand: Hand::Right, .. } => (ToolKind::Turning, 3),
-            ToolShape::Turning { hand: Hand::Left, .. } => (ToolKind::Turning, 4),
-            ToolShape::Threading { .. } => (ToolKind::Threading, 8),
-            ToolShape::Parting { .. } => (ToolKind::Grooving, 3),
-        };
-        let (nose_radius, nose_center) = match insert.segments.first() {
-            Some(&Segment::Arc { start, center, .. }) => (start.distance(center), center),
-            _ => (0.0, Point::default()),
-        };
-        let cutting = cutting(&insert, kind);
-        ToolOutline { insert, holder: Contour::polygon(&holder), kind, nose_radius, nose_center, orientation, cutting }
+        let built = build::built(self).unwrap_or_default();
+        let holder = self.own_holder();
+        if holder.is_empty() { built } else { ToolOutline { holder: Contour::polygon(&holder), ..built } }
+    }
+
+    /// The holder that the tool's file gives point by point or line by line.
+    fn own_holder(&self) -> Vec<Point> {
+        let lines = self.interference_lines.iter().flat_map(|&[z1, r1, z2, r2]| [[z1, r1], [z2, r2]]);
+        let points = self.holder.iter().copied().chain(lines);
+        let mut points: Vec<Point> = points.map(|[z, r]| Point::new(z, r)).collect();
+        points.dedup();
+        if points.len() > 1 && points.first() == points.last() {
+            points.pop();
+        }
+        points
     }
 }
 
-/// The nose and the edges beside it; of a blade its front edge with both noses. The nose is the first segment.
-fn cutting(insert: &Contour, kind: ToolKind) -> Vec<bool> {
-    let count = insert.segments.len();
-    let rounded = matches!(insert.segments.first(), Some(Segment::Arc { .. }));
-    let front = match kind {
-        ToolKind::Grooving if rounded => 3,
-        ToolKind::Grooving => 1,
-        _ => 2,
-    };
-    (0..count).map(|i| i < front || (kind != ToolKind::Grooving && i + 1 == count)).collect()
-}
+impl ToolOutline {
+    /// The tool for the other hand: mirrored at the programmed point along the spindle.
+    #[must_use]
+    pub(super) fn other_hand(&self) -> Self {
+        let orientation = match self.orientation {
+            1 => 2,
+            2 => 1,
+            3 => 4,
+            4 => 3,
+            5 => 7,
+            7 => 5,
+            other => other,
+        };
+        let nose_center = self.nose_center.mirrored_at_z(0.0);
+        self.mapped(|s| s.mirrored_at_z(0.0), nose_center, orientation)
+    }
 
-impl ToolShape {
-    fn insert(&self) -> Contour {
-        match *self {
-            Self::Turning { hand, nose_radius, corner_angle, approach_angle, edge_length } => {
-                let right = right_hand_insert(nose_radius, corner_angle, approach_angle, edge_length);
-                match hand {
-                    Hand::Right => right,
-                    Hand::Left => mirrored(&right),
-                }
+    /// The tool upside down, as it works in a bore.
+    #[must_use]
+    pub(super) fn upside_down(&self) -> Self {
+        let orientation = match self.orientation {
+            1 => 4,
+            2 => 3,
+            3 => 2,
+            4 => 1,
+            6 => 8,
+            8 => 6,
+            other => other,
+        };
+        let over = |p: Point| Point::new(p.z, -p.r);
+        let segment = |s: &Segment| match *s {
+            Segment::Line { start, end } => Segment::line(over(start), over(end)),
+            Segment::Arc { start, end, center, ccw } => {
+                Segment::Arc { start: over(start), end: over(end), center: over(center), ccw: !ccw }
             }
-            Self::Threading { nose_radius, corner_angle, edge_length } => {
-                threading_insert(nose_radius, corner_angle, edge_length)
-            }
-            Self::Parting { width, nose_radius, depth } => parting_blade(width, nose_radius, depth),
+        };
+        self.mapped(segment, over(self.nose_center), orientation)
+    }
+
+    /// A mirror image, again counter-clockwise.
+    fn mapped(&self, map: impl Fn(&Segment) -> Segment, nose_center: Point, orientation: u8) -> Self {
+        let mirrored = |contour: &Contour| Contour::new(contour.segments.iter().map(&map).collect()).reversed();
+        Self {
+            insert: mirrored(&self.insert),
+            holder: mirrored(&self.holder),
+            kind: self.kind,
+            nose_radius: self.nose_radius,
+            nose_center,
+            orientation,
+            cutting: self.cutting.iter().rev().copied().collect(),
         }
     }
-}
 
-/// A rhombic insert whose leading edge faces the chuck. The nose touches z = 0 and r = 0.
-///
-/// The leading edge stands at the approach angle to the direction of feed (−z); the trailing edge lies one corner angle
-/// behind it.
-fn right_hand_insert(nose_radius: f64, corner_angle: f64, approach_angle: f64, edge_length: f64) -> Contour {
-    let leading_angle = (180.0 - approach_angle).to_radians();
-    let trailing_angle = leading_angle - corner_angle.to_radians();
-    let nose = Point::new(nose_radius, nose_radius);
-    let (leading, trailing) = (direction(leading_angle), direction(trailing_angle));
-    let corner = sharp_corner(nose, nose_radius, leading_angle, trailing_angle);
-    let (leading_end, trailing_end) = (corner + leading * edge_length, corner + trailing * edge_length);
-    let back = leading_end + trailing * edge_length;
-    let mut segments = vec![nose_arc(nose, nose_radius, leading_angle, trailing_angle)];
-    close_through(&mut segments, &[trailing_end, back, leading_end]);
-    Contour::new(segments)
-}
-
-/// A triangular insert, symmetrical about the radial line through its lowest point, the origin.
-fn threading_insert(nose_radius: f64, corner_angle: f64, edge_length: f64) -> Contour {
-    let half = corner_angle.to_radians() / 2.0;
-    let (left, right) = (std::f64::consts::FRAC_PI_2 + half, std::f64::consts::FRAC_PI_2 - half);
-    let nose = Point::new(0.0, nose_radius);
-    let corner = sharp_corner(nose, nose_radius, left, right);
-    let mut segments = vec![nose_arc(nose, nose_radius, left, right)];
-    close_through(&mut segments, &[corner + direction(right) * edge_length, corner + direction(left) * edge_length]);
-    Contour::new(segments)
-}
-
-/// A blade from the origin to `width` and `depth` with two rounded corners at its edge.
-fn parting_blade(width: f64, nose_radius: f64, depth: f64) -> Contour {
-    if nose_radius == 0.0 {
-        let corners = [(0.0, 0.0), (width, 0.0), (width, depth), (0.0, depth)];
-        return Contour::polygon(&corners.map(|(z, r)| Point::new(z, r)));
+    fn of_hand(self, hand: Hand) -> Self {
+        match hand {
+            Hand::Right => self,
+            Hand::Left => self.other_hand(),
+        }
     }
-    let (left, right) = (Point::new(nose_radius, nose_radius), Point::new(width - nose_radius, nose_radius));
-    let up = std::f64::consts::FRAC_PI_2;
-    let mut segments = vec![nose_arc(left, nose_radius, up, 0.0)];
-    let right_arc = nose_arc(right, nose_radius, std::f64::consts::PI, up);
-    segments.push(Segment::line(segments[0].end(), right_arc.start()));
-    segments.push(right_arc);
-    close_through(&mut segments, &[Point::new(width, depth), Point::new(0.0, depth)]);
-    Contour::new(segments)
-}
-
-/// The nose arc that joins an edge leaving at `left_angle` (on its left) to one leaving at `right_angle`, both measured
-/// from +z and pointing away from the nose; counter-clockwise along the underside.
-fn nose_arc(center: Point, radius: f64, left_angle: f64, right_angle: f64) -> Segment {
-    let start = center + direction(left_angle + std::f64::consts::FRAC_PI_2) * radius;
-    let end = center + direction(right_angle - std::f64::consts::FRAC_PI_2) * radius;
-    Segment::Arc { start, end, center, ccw: true }
-}
-
-/// Where the two edges beside a nose would meet: `radius / sin(half the corner)` from the centre, against their bisector.
-fn sharp_corner(center: Point, radius: f64, left_angle: f64, right_angle: f64) -> Point {
-    let half = (left_angle - right_angle) / 2.0;
-    center - direction(f64::midpoint(left_angle, right_angle)) * (radius / half.sin())
-}
-
-fn direction(angle: f64) -> Vector {
-    Vector::new(angle.cos(), angle.sin())
-}
-
-/// Adds lines from the last segment through `points` back to the first segment.
-fn close_through(segments: &mut Vec<Segment>, points: &[Point]) {
-    let (Some(first), Some(last)) = (segments.first().map(Segment::start), segments.last().map(Segment::end)) else {
-        return;
-    };
-    let mut from = last;
-    for &to in points.iter().chain([&first]) {
-        segments.push(Segment::line(from, to));
-        from = to;
-    }
-}
-
-/// The mirror image at z = 0, again counter-clockwise.
-fn mirrored(contour: &Contour) -> Contour {
-    Contour::new(contour.segments.iter().map(|s| s.mirrored_at_z(0.0)).collect::<Vec<_>>()).reversed()
 }
 
 #[cfg(test)]
@@ -296,13 +257,13 @@ mod tests {
     #[test]
     fn left_hand_tool_is_the_mirror_image() {
         let (right, left) = (shipped("orac-right"), shipped("orac-left"));
-        assert_eq!(mirrored(&right.insert), left.insert);
+        assert_eq!(right.other_hand().insert, left.insert);
         let points = |c: &Contour| {
             let mut p: Vec<_> = c.segments.iter().map(Segment::start).map(|p| (p.z.to_bits(), p.r.to_bits())).collect();
             p.sort_unstable();
             p
         };
-        assert_eq!(points(&mirrored(&right.holder)), points(&left.holder));
+        assert_eq!(points(&right.other_hand().holder), points(&left.holder));
     }
 
     /// Height of the wall that the right-hand tool must clear: the radius of a common bar, mm.
