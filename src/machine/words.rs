@@ -41,7 +41,8 @@ pub struct Words {
     pub incremental: bool,
     /// How an arc says where its centre is.
     pub arc_center: ArcCenter,
-    /// I and K carry a sign; otherwise they are magnitudes and the control finds the quadrant.
+    /// I and K carry a sign; otherwise they are magnitudes: the control finds the quadrant of increments, and takes positions
+    /// as positive.
     #[serde(default = "yes")]
     pub arc_center_signed: bool,
     /// G2 is counter-clockwise seen with z to the right and r (always positive) upwards.

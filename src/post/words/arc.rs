@@ -8,11 +8,14 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 /// An arc whose ends are no more than this many counts apart on either axis has no centre worth writing: a line.
 const VANISHING_COUNTS: f64 = 2.0;
 
-/// Distance of chords from an arc whose radius the control cannot take, counts.
+/// Distance of chords from an arc whose radius or centre the control cannot take, counts.
 const CHORD_COUNTS: f64 = 0.5;
 
 /// Most chords that one arc becomes.
 const MOST_CHORDS: f64 = 10_000.0;
+
+/// By how much the distances of a centre from both ends may differ, counts; above it another centre is looked for.
+const UNEQUAL_COUNTS: f64 = 1.0;
 
 /// How far beyond a whole quadrant or half turn an arc still counts as one, radians: rounding noise of its ends.
 const SWEEP_NOISE: f64 = 1e-9;
@@ -41,6 +44,8 @@ pub(super) struct ArcRules {
     pub(super) center: ArcCenter,
     /// One arc stays in one quadrant.
     pub(super) one_quadrant: bool,
+    /// The centre is a position without sign: it must not be negative.
+    positive_center: bool,
     /// Smallest and largest radius, mm.
     pub(super) radii_mm: (f64, f64),
 }
@@ -49,6 +54,7 @@ impl ArcRules {
     pub(super) const fn new(words: &Words, limits: &Limits) -> Self {
         Self {
             center: words.arc_center,
+            positive_center: matches!(words.arc_center, ArcCenter::Absolute) && !words.arc_center_signed,
             one_quadrant: limits.arc_one_quadrant || !words.arc_center_signed,
             radii_mm: (limits.arc_radius_min_mm, limits.arc_radius_max_mm),
         }
@@ -72,8 +78,9 @@ pub(super) fn pieces(arc: &Segment, from: Counts, grid: &Grid, rules: &ArcRules)
         return vec![Piece::Line(grid.counts(end))];
     }
     let (least, most) = rules.radii_mm;
-    let out_of_range = radius < least || radius > most;
-    let cuts = if out_of_range { chords(radius, sweep, grid) } else { divisions(start, center, sweep, grid, rules) };
+    let (i, k) = grid.absolute(center);
+    let by_chords = radius < least || radius > most || rules.positive_center && i.min(k) < 0;
+    let cuts = if by_chords { chords(radius, sweep, grid) } else { divisions(start, center, sweep, grid, rules) };
     let mut at = from;
     let mut exact = start;
     let mut all = Vec::with_capacity(cuts.len() + 1);
@@ -81,7 +88,7 @@ pub(super) fn pieces(arc: &Segment, from: Counts, grid: &Grid, rules: &ArcRules)
     for next in ends {
         let to = grid.counts(next);
         if to != at {
-            let line = out_of_range || is_short(grid, grid.point(at), grid.point(to));
+            let line = by_chords || is_short(grid, grid.point(at), grid.point(to));
             let piece = Segment::Arc { start: exact, end: next, center, ccw };
             all.push(if line { Piece::Line(to) } else { fitted(&piece, at, to, grid, rules) });
         }
@@ -120,7 +127,7 @@ fn divisions(start: Point, center: Point, sweep: f64, grid: &Grid, rules: &ArcRu
     fine.iter().map(|a| a * sweep.signum()).collect()
 }
 
-/// Angles from the start that divide an arc into chords.
+/// Angles from the start that divide an arc into chords within the tolerance.
 fn chords(radius: f64, sweep: f64, grid: &Grid) -> Vec<f64> {
     let tolerance = CHORD_COUNTS * grid.step_mm();
     let most = if radius > tolerance { 2.0 * (1.0 - tolerance / radius).acos() } else { TAU };
@@ -161,7 +168,8 @@ fn fitted(piece: &Segment, from: Counts, to: Counts, grid: &Grid, rules: &ArcRul
         } else {
             0.0
         };
-        wrong * 10.0 + difference.max(0.5) + 1e-3 * (candidate.0 as f64 - i).hypot(candidate.1 as f64 - k)
+        let unequal = (difference - UNEQUAL_COUNTS).max(0.0);
+        10.0 * (wrong + unequal) + (candidate.0 as f64 - i).hypot(candidate.1 as f64 - k)
     };
     let (i0, k0) = (nearest(i), nearest(k));
     let around = (-1..=1).flat_map(|di| (-1..=1).map(move |dk| (i0 + di, k0 + dk)));

@@ -1,0 +1,224 @@
+//! LinuxCNC's own interpreter judges the programs: it must accept them, and its moves must be those of the paths.
+//!
+//! Runs where `rs274` is installed (package linuxcnc-uspace) and says so where it is not. Programs of other controls are
+//! put into LinuxCNC's words first.
+
+mod words_scan;
+
+use std::fmt::Write as _;
+use std::process::Command;
+use std::sync::Arc;
+use turnwright::cancel::Cancel;
+use turnwright::document::{Content, Document, Generator};
+use turnwright::geometry::{Point, Vector};
+use turnwright::machine::{Catalog, Machine};
+use turnwright::post::{Header, Options, post};
+use turnwright::regen::{Cache, regenerate};
+use turnwright::storage::{document_from_text, examples};
+use turnwright::turning::CutterPath;
+use words_scan::listing::path_of_listing;
+use words_scan::paths::{Wanted, all_sorts, compare, wanted};
+use words_scan::read::{Step, read};
+
+/// What LinuxCNC's moves may differ from ours, mm.
+const TOLERANCE: f64 = 0.001;
+
+/// The same where the program has three decimals only: half a count on either axis and as much for a centre.
+const TOLERANCE_3_DECIMALS: f64 = 0.002;
+
+/// The two radii of an arc of the published listing differ by up to 0.016 mm, so that no circle has both ends.
+const TOLERANCE_LISTING: f64 = 0.017;
+
+fn catalog() -> Catalog {
+    Catalog::shipped()
+}
+
+fn machine(id: &str) -> Machine {
+    catalog().machine(id).unwrap().clone()
+}
+
+fn is_installed() -> bool {
+    let there = Command::new("rs274").arg("-h").output().is_ok();
+    if !there {
+        println!(
+            "rs274 is not installed (apt-get install --no-install-recommends linuxcnc-uspace): nothing was judged."
+        );
+    }
+    there
+}
+
+/// LinuxCNC's canonical moves of `text`, in program space.
+fn judge(text: &str) -> Result<Vec<Step>, String> {
+    let dir = tempfile::tempdir().unwrap();
+    let file = |name: &str, content: &str| {
+        let path = dir.path().join(name);
+        std::fs::write(&path, content).unwrap();
+        path
+    };
+    let ini = "[EMC]\nMACHINE=judge\n[RS274NGC]\nPARAMETER_FILE=judge.var\n[EMCIO]\nTOOL_TABLE=judge.tbl\n[TRAJ]\nAXES=3\n\
+               COORDINATES=X Z\nLINEAR_UNITS=mm\nANGULAR_UNITS=degree\n[DISPLAY]\nLATHE=1\n";
+    let tools: String = (1..=12).map(|t| format!("T{t} P{t} X0 Z0 D0\n")).collect();
+    let (ini, tools) = (file("judge.ini", ini), file("judge.tbl", &tools));
+    let (vars, program, out) = (file("judge.var", ""), file("program.ngc", text), dir.path().join("out"));
+    let run = Command::new("rs274")
+        .arg("-g")
+        .args([std::ffi::OsStr::new("-i"), ini.as_os_str(), "-t".as_ref(), tools.as_os_str()])
+        .args(["-v".as_ref(), vars.as_os_str(), "-n".as_ref(), "2".as_ref(), program.as_os_str(), out.as_os_str()])
+        .current_dir(dir.path())
+        .output()
+        .unwrap();
+    let canon = std::fs::read_to_string(&out).unwrap_or_default();
+    let said = String::from_utf8_lossy(&run.stderr).into_owned();
+    if !run.status.success() || !canon.contains("PROGRAM_END") {
+        return Err(format!("LinuxCNC refuses the program: {said}"));
+    }
+    Ok(canonical(&canon))
+}
+
+/// Canonical commands as moves; X is a radius there.
+fn canonical(text: &str) -> Vec<Step> {
+    let mut steps = Vec::new();
+    let mut lead = None;
+    for line in text.lines() {
+        let Some((name, rest)) = line.split_once('(') else { continue };
+        let name = name.split_whitespace().last().unwrap_or_default();
+        let numbers: Vec<f64> =
+            rest.trim_end_matches(')').split([',', ' ']).filter_map(|n| n.trim().parse().ok()).collect();
+        match (name, numbers.as_slice()) {
+            ("STRAIGHT_TRAVERSE", [x, _, z, ..]) => {
+                steps.push(Step::Rapid { to: Point::new(*z, *x) });
+            }
+            ("STRAIGHT_FEED", [x, _, z, ..]) => {
+                let to = Point::new(*z, *x);
+                steps.push(lead.map_or(Step::Line { to, feed: 0.0 }, |lead| Step::Thread { to, lead }));
+            }
+            ("ARC_FEED", [z, x, center_z, center_x, turns, ..]) => {
+                let (to, center) = (Point::new(*z, *x), Point::new(*center_z, *center_x));
+                steps.push(Step::Arc { to, center, ccw: *turns > 0.0, feed: 0.0 });
+            }
+            ("START_SPEED_FEED_SYNC", [l, ..]) => lead = Some(*l),
+            ("STOP_SPEED_FEED_SYNCH", _) => lead = None,
+            ("DWELL", [seconds]) => steps.push(Step::Dwell { seconds: *seconds }),
+            _ => {}
+        }
+    }
+    steps
+}
+
+/// The moves of the path with those to the machine's zero at the start and after every operation.
+fn wanted_with_retracts(path: &CutterPath) -> Vec<Wanted> {
+    let mut all = Vec::new();
+    for operation in path.operations.iter().filter(|o| !o.moves.is_empty()) {
+        all.extend(wanted(path, operation, true));
+        let at = operation.change.unwrap_or(path.datum) + Vector::new(-path.program_zero_z, 0.0);
+        all.extend([Wanted::Rapid(Point::new(at.z, 0.0)), Wanted::Rapid(Point::default())]);
+    }
+    all
+}
+
+/// Leaves out moves to where the tool is already.
+fn without_standing(steps: Vec<Step>) -> Vec<Step> {
+    let mut at = Point::default();
+    let mut moving = Vec::new();
+    for step in steps {
+        if step.to().is_some_and(|to| to == at) {
+            continue;
+        }
+        at = step.to().unwrap_or(at);
+        moving.push(step);
+    }
+    moving
+}
+
+fn judge_linuxcnc(path: &CutterPath, tolerance: f64, what: &str) {
+    let machine = machine("linuxcnc");
+    let output = post("JUDGED", path, &Options::default(), &Header::default(), &machine);
+    assert_eq!(output.diagnostics, [], "{what}");
+    let program = &output.programs[0];
+    let steps = judge(&program.text).unwrap_or_else(|e| panic!("{what}: {e}\n{}", program.text));
+    let steps = without_standing(steps);
+    compare(&steps, &wanted_with_retracts(path), Point::default(), tolerance)
+        .unwrap_or_else(|e| panic!("{what}: {e}\n{}", program.text));
+    println!("{what}: {} canonical moves agree within {tolerance} mm", steps.len());
+}
+
+/// A program of another control in the words of LinuxCNC, from `start` in program space.
+fn translated(text: &str, machine: &Machine, start: Point) -> String {
+    let mut out = "G21 G18 G7 G90 G91.1 G40 G49 G80 G95\nF0.1 S500 M3\n".to_owned();
+    let _ = writeln!(out, "G0 X{:.4} Z{:.4}", 2.0 * start.r, start.z);
+    let mut at = start;
+    for step in read(text, machine, start) {
+        let xz = |to: Point| format!("X{:.4} Z{:.4}", 2.0 * to.r, to.z);
+        let _ = match step {
+            Step::Rapid { to } => writeln!(out, "G0 {}", xz(to)),
+            Step::Line { to, .. } => writeln!(out, "G1 {}", xz(to)),
+            Step::Arc { to, center, ccw, .. } => {
+                let (i, k) = (center.r - at.r, center.z - at.z);
+                writeln!(out, "G{} {} I{i:.4} K{k:.4}", if ccw { 3 } else { 2 }, xz(to))
+            }
+            Step::Thread { to, lead } => writeln!(out, "G33 {} K{lead:.4}", xz(to)),
+            Step::Dwell { seconds } => writeln!(out, "G4 P{seconds}"),
+        };
+        at = step.to().unwrap_or(at);
+    }
+    out + "M2\n"
+}
+
+fn judge_translated(path: &CutterPath, id: &str, what: &str) {
+    let mut machine = machine(id);
+    machine.words.as_mut().unwrap().max_program_chars = None;
+    let options = Options { program_number: Some(1), ..Options::default() };
+    let output = post("JUDGED", path, &options, &Header::default(), &machine);
+    assert_eq!(output.diagnostics, [], "{what}");
+    let start = path.operations[0].change.unwrap() + Vector::new(-path.program_zero_z, 0.0);
+    let shifts = machine.words.as_ref().unwrap().thread_angle.is_none();
+    let operations = path.operations.iter().filter(|o| !o.moves.is_empty());
+    let moves = operations.flat_map(|operation| wanted(path, operation, shifts));
+    let all: Vec<Wanted> = std::iter::once(Wanted::Rapid(start)).chain(moves).collect();
+    for program in &output.programs {
+        let text = translated(&program.text, &machine, start);
+        let steps = judge(&text).unwrap_or_else(|e| panic!("{what} on {id}: {e}\n{text}"));
+        compare(&steps, &all, Point::default(), TOLERANCE_3_DECIMALS)
+            .unwrap_or_else(|e| panic!("{what} on {id}: {e}\n{}", program.text));
+        println!("{what} on {id}: {} canonical moves agree within {TOLERANCE_3_DECIMALS} mm", steps.len());
+    }
+}
+
+#[test]
+fn programs_by_hand_are_accepted_and_move_as_the_path() {
+    if !is_installed() {
+        return;
+    }
+    judge_linuxcnc(&all_sorts(), TOLERANCE, "all sorts of moves");
+    for id in ["fanuc-0i", "mori-fanuc-6t", "swedish-1970s"] {
+        judge_translated(&all_sorts(), id, "all sorts of moves");
+    }
+}
+
+#[test]
+fn the_published_form_roll_is_accepted_and_moves_as_the_listing() {
+    if is_installed() {
+        judge_linuxcnc(&path_of_listing(), TOLERANCE_LISTING, "form-roll 1470b-2T");
+    }
+}
+
+#[test]
+fn planned_examples_are_accepted_and_move_as_planned() {
+    if !is_installed() {
+        return;
+    }
+    for example in examples() {
+        let mut document: Document = document_from_text(example.name, example.text).unwrap();
+        let Content::TurnedPart(part) = &mut document.content;
+        part.machine = "linuxcnc".to_owned();
+        part.generator = Generator::Planned { separate_programs: false };
+        let derived = regenerate(&Arc::new(document), &catalog(), &mut Cache::default(), &Cancel::default()).unwrap();
+        for setup in &derived.setups {
+            if setup.path.operations.iter().all(|o| o.moves.is_empty()) {
+                println!("{}: the planner makes nothing of it yet; not judged", setup.name);
+                continue;
+            }
+            judge_linuxcnc(&setup.path, TOLERANCE, &setup.name);
+        }
+    }
+}
