@@ -1,5 +1,6 @@
 //! Cutter location data: where the programmed point of the tool goes, before any control's words.
 
+use super::Recipe;
 use crate::geometry::{Point, Vector};
 
 /// All operations of one set-up. Points are in the set-up's part space, mm, unrounded.
@@ -26,6 +27,8 @@ pub struct Operation {
     pub change: Option<Point>,
     /// Moves in order.
     pub moves: Vec<CutMove>,
+    /// What some of them were made from, in their order; generators that do not tell leave it empty.
+    pub recipes: Vec<Recipe>,
 }
 
 /// Purpose of an operation.

@@ -4,12 +4,14 @@ mod cutter_path;
 pub mod cycles;
 pub mod planner;
 pub mod published;
+mod recipe;
 
 use crate::diagnostic::Diagnostic;
 use crate::document::{Generator, TurnedPart};
 use crate::machine::{Machine, Material, ToolOutline};
 use crate::part::Setup;
 pub use cutter_path::{Cut, CutMove, CutterPath, Feed, Operation, OperationKind, Speed};
+pub use recipe::{FinishRecipe, Recipe, RecipeKind, RoughRecipe, Side, ThreadRecipe};
 use std::collections::BTreeMap;
 
 /// Everything that cutter location data are made from. Lengths in mm, feeds in mm/min.

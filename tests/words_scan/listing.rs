@@ -19,7 +19,14 @@ pub(crate) fn path_of_listing() -> CutterPath {
         if has("G50") {
             let tool = 0;
             let kind = OperationKind::RoughRight;
-            path.operations.push(Operation { kind, name: String::new(), tool, change: Some(to), moves: Vec::new() });
+            path.operations.push(Operation {
+                kind,
+                name: String::new(),
+                tool,
+                change: Some(to),
+                moves: Vec::new(),
+                recipes: Vec::new(),
+            });
             at = to;
             continue;
         }

@@ -8,7 +8,7 @@ pub(crate) const CUT: Cut =
     Cut { feed: Feed::PerRev(0.2), speed: Speed::Surface { m_per_min: 180.0, max_rpm: 2500.0 } };
 
 pub(crate) fn operation(kind: OperationKind, tool: u32, change: Point, moves: Vec<CutMove>) -> Operation {
-    Operation { kind, name: kind.name().to_owned(), tool, change: Some(change), moves }
+    Operation { kind, name: kind.name().to_owned(), tool, change: Some(change), moves, recipes: Vec::new() }
 }
 
 /// Something of everything: lines, arcs of a quarter, of half a turn and flat ones, dwell, threads of two starts, repeats.

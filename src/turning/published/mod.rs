@@ -82,6 +82,7 @@ fn operations(plan: &Plan, setup: &Setup) -> Vec<Operation> {
         tool,
         change: None,
         moves,
+        recipes: Vec::new(),
     };
     let part_off = setup.part_off_width.map(|width| part_off::part_off(plan, setup.machined_from_z, width));
     let mut all = vec![
