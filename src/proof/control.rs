@@ -3,7 +3,7 @@
 use super::findings::{Breach, Findings, Place};
 use super::reader::{Block, CLOCKWISE, Listing, Op, Word};
 use super::report::FindingKind;
-use super::step::{STEP_BUDGET, Step, Thread};
+use super::step::{Drive, Feed, STEP_BUDGET, Speed, Step, Thread};
 use super::structure::{Structure, whole};
 use crate::cancel::Cancelled;
 use crate::geometry::{Point, Segment};
@@ -289,7 +289,8 @@ impl Run<'_> {
 
     fn moved(&mut self, path: Segment) -> Step {
         self.control.position = Some(path.end());
-        Step::Move { path, feed: self.control.feed, tool: self.control.tool, rpm: self.control.rpm }
+        let (feed, speed) = (Feed::PerMinute(self.control.feed), Speed::Rpm(self.control.rpm));
+        Step::Move { path, drive: Drive { rapid: false, feed, speed }, tool: self.control.tool }
     }
 
     fn straight(&mut self, block: &Block, index: usize) -> Step {

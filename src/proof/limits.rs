@@ -2,7 +2,7 @@
 
 use super::findings::{Breach, Findings, Place};
 use super::report::FindingKind;
-use super::step::Thread;
+use super::step::{Drive, Thread};
 use crate::geometry::{Bounds, Point, Segment};
 use crate::machine::Machine;
 
@@ -50,15 +50,23 @@ impl Travel {
     }
 }
 
-/// Compares a move with the limits of feed, speed, radius and taper.
-pub(super) fn check_move(
-    path: &Segment,
-    feed: f64,
-    rpm: f64,
-    machine: &Machine,
-    place: Place,
-    findings: &mut Findings,
-) {
+/// Compares a move with the limits of feed, speed, radius and taper. With constant cutting speed the fastest place of the path
+/// counts, which is the one nearest to the axis.
+pub(super) fn check_move(path: &Segment, drive: &Drive, machine: &Machine, place: Place, findings: &mut Findings) {
+    let bounds = path.bounds();
+    let nearest =
+        if bounds.min.r <= 0.0 && bounds.max.r >= 0.0 { 0.0 } else { bounds.min.r.abs().min(bounds.max.r.abs()) };
+    check_speed(drive.speed.rpm_at(nearest), machine, place, findings);
+    if !drive.rapid {
+        check_feed(path, drive.feed_at(nearest), machine, place, findings);
+    }
+    match path {
+        Segment::Arc { .. } => check_radius(path, machine, place, findings),
+        Segment::Line { start, end } => check_taper(*start, *end, machine.limits.taper_ratio, place, findings),
+    }
+}
+
+fn check_feed(path: &Segment, feed: f64, machine: &Machine, place: Place, findings: &mut Findings) {
     let limits = &machine.limits;
     let mut breach = |rule, value, limit, message| {
         let breach = Breach::error(rule, FindingKind::OutsideLimits, value, limit, message);
@@ -77,11 +85,6 @@ pub(super) fn check_move(
         findings.add(place, Breach::error("low feed", FindingKind::OutsideLimits, feed, low, message).into_warning());
     } else if feed > high + ROUNDING {
         breach("feed", feed, high, format!("The feed is {feed:.0} mm/min; the machine's highest is {high:.0} mm/min."));
-    }
-    check_speed(rpm, machine, place, findings);
-    match path {
-        Segment::Arc { .. } => check_radius(path, machine, place, findings),
-        Segment::Line { start, end } => check_taper(*start, *end, limits.taper_ratio, place, findings),
     }
 }
 
@@ -121,35 +124,47 @@ fn check_taper(start: Point, end: Point, ratio_limit: f64, place: Place, finding
     }
 }
 
-/// Compares a threading cycle with the limits; false if it cannot be run at all.
-pub(super) fn check_thread(thread: &Thread, machine: &Machine, place: Place, findings: &mut Findings) -> bool {
+/// Compares a threading pass with the limits of pitch, feed and speed.
+pub(super) fn check_pass(
+    path: &Segment,
+    lead: f64,
+    rpm: f64,
+    machine: &Machine,
+    place: Place,
+    findings: &mut Findings,
+) {
     let limits = &machine.limits;
+    let mut breach = |rule, value, limit, message| {
+        let breach = Breach::error(rule, FindingKind::OutsideLimits, value, limit, message);
+        findings.add(place, breach.at(path.start()));
+    };
+    let pitch_limit = lead.clamp(limits.pitch_min_mm, limits.pitch_max_mm);
+    if (lead - pitch_limit).abs() > ROUNDING {
+        let (low, high) = (limits.pitch_min_mm, limits.pitch_max_mm);
+        let message = format!("The thread's pitch is {lead:.3} mm; the control takes {low:.2} to {high:.2} mm.");
+        breach("pitch", lead, pitch_limit, message);
+    }
+    let (feed, highest) = (lead * rpm, limits.feed_max_mm_per_min);
+    if feed > highest + ROUNDING {
+        let message = format!(
+            "Pitch {lead:.3} mm at {rpm:.0} rev/min is a feed of {feed:.0} mm/min; the machine's highest is {highest:.0} mm/min."
+        );
+        breach("thread feed", feed, highest, message);
+    }
+    if rpm <= 0.0 {
+        breach("thread speed", rpm, 1.0, "A thread cannot be cut with the spindle at rest (0 rev/min).".to_owned());
+    }
+    check_speed(rpm, machine, place, findings);
+}
+
+/// Compares the ORAC's threading cycle with the limits; false if it cannot be run at all.
+pub(super) fn check_thread(thread: &Thread, machine: &Machine, place: Place, findings: &mut Findings) -> bool {
+    let reach = Segment::line(thread.from, Point::new(thread.to_z, thread.base_radius));
+    check_pass(&reach, thread.pitch, thread.rpm, machine, place, findings);
     let mut breach = |rule, value, limit, message| {
         let breach = Breach::error(rule, FindingKind::OutsideLimits, value, limit, message);
         findings.add(place, breach.at(thread.from));
     };
-    let pitch_limit = thread.pitch.clamp(limits.pitch_min_mm, limits.pitch_max_mm);
-    if (thread.pitch - pitch_limit).abs() > ROUNDING {
-        let (pitch, low, high) = (thread.pitch, limits.pitch_min_mm, limits.pitch_max_mm);
-        let message = format!("The thread's pitch is {pitch:.3} mm; the control takes {low:.2} to {high:.2} mm.");
-        breach("pitch", pitch, pitch_limit, message);
-    }
-    let (feed, highest) = (thread.pitch * thread.rpm, limits.feed_max_mm_per_min);
-    if feed > highest + ROUNDING {
-        let message = format!(
-            "Pitch {:.3} mm at {:.0} rev/min is a feed of {feed:.0} mm/min; the machine's highest is {highest:.0} mm/min.",
-            thread.pitch, thread.rpm
-        );
-        breach("thread feed", feed, highest, message);
-    }
-    if thread.rpm <= 0.0 {
-        breach(
-            "thread speed",
-            thread.rpm,
-            1.0,
-            "A thread cannot be cut with the spindle at rest (0 rev/min).".to_owned(),
-        );
-    }
     if thread.depth <= 0.0 {
         let message = format!("The depth of one threading cut is {:.3} mm; it must be above 0.", thread.depth);
         breach("thread depth", thread.depth, 0.0, message);
@@ -162,6 +177,5 @@ pub(super) fn check_thread(thread: &Thread, machine: &Machine, place: Place, fin
         );
         breach("thread diameters", 2.0 * thread.base_radius, 2.0 * thread.outside_radius, message);
     }
-    check_speed(thread.rpm, machine, place, findings);
     thread.rpm > 0.0 && thread.pitch > 0.0
 }

@@ -2,9 +2,10 @@
 //!
 //! Shares nothing with the generators and posts but geometry, machine data and the shape of the data.
 //!
-//! The way of a program: [`reader`] (text to blocks) → `structure` (numbering, pairs) → `control` (runs the blocks as the
-//! control would) → `limits` (what the machine can do), `judge` (cuts the stock by `cut`, measures against `form`, and at the
-//! end the `leftover`) and `record` (times, playback) → [`ProofReport`].
+//! The way of a program: [`reader`] (text to blocks) → `structure` and `lint` (what the text must have) → `control` for the
+//! ORAC's pages and `interpreter` for programs of words (run the blocks as the controls would) → `run`: `limits` (what the
+//! machine can do), `judge` (cuts the stock by `cut`, measures against `form`, and at the end the `leftover`), `times` and
+//! `record` (playback) → [`ProofReport`].
 
 mod compare;
 mod control;
@@ -13,16 +14,20 @@ mod cut_by;
 mod findings;
 mod form;
 mod input;
+mod interpreter;
 mod json;
 mod judge;
 mod leftover;
 mod limits;
+mod lint;
 mod prove;
 pub mod reader;
 mod record;
 mod report;
+mod run;
 mod step;
 mod structure;
+mod times;
 
 pub use compare::{Change, compare};
 pub use cut_by::CutBy;

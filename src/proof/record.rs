@@ -48,11 +48,12 @@ impl Record {
     }
 
     /// Starts the next program, whose blocks are all listed even if they never run.
-    pub(super) fn begin_program(&mut self, name: &str, blocks: usize) {
+    pub(super) fn begin_program(&mut self, name: &str, printed: &[Option<u32>]) {
         self.first_block = self.blocks.len();
-        self.blocks.extend((1..=blocks).map(|block| BlockReport {
+        self.blocks.extend((1..).zip(printed).map(|(block, &printed)| BlockReport {
             program: name.to_owned(),
             block,
+            printed,
             runs: 0,
             time_s: 0.0,
             removed_mm2: 0.0,

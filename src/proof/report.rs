@@ -97,6 +97,8 @@ pub enum FindingKind {
     HolderCollision,
     /// Insert or holder ran into the chuck.
     ChuckCollision,
+    /// Insert or holder ran into the tailstock.
+    TailstockCollision,
     /// Material is left on a section.
     Leftover,
     /// A travel limit was exceeded.
@@ -109,6 +111,10 @@ pub enum FindingKind {
     Control,
     /// More blocks than the control holds, no end, or blocks after the end.
     Structure,
+    /// Something in the text of the program that the control demands otherwise, told without running it.
+    Lint,
+    /// The cut needs more power than the spindle has.
+    Power,
 }
 
 /// What is left on one section after the last program.
@@ -131,6 +137,9 @@ pub struct BlockReport {
     pub program: String,
     /// Block from 1.
     pub block: usize,
+    /// Its own number in the text: a page's, or the N word.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub printed: Option<u32>,
     /// How often it was run.
     pub runs: u32,
     /// Time of all runs, s.

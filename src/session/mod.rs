@@ -451,5 +451,8 @@ pub const fn code_of(kind: FindingKind) -> &'static str {
         FindingKind::NotClosed => "not-closed",
         FindingKind::Control => "control",
         FindingKind::Structure => "structure",
+        FindingKind::Lint => "lint",
+        FindingKind::Power => "power",
+        FindingKind::TailstockCollision => "tailstock-collision",
     }
 }

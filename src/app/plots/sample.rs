@@ -123,7 +123,15 @@ pub(super) fn with_program(mut derived: SetupDerived) -> SetupDerived {
             stock_after: 0,
         });
         let program = "SAMPLE1".to_owned();
-        proof.blocks.push(BlockReport { program, block, runs: 1, time_s: 2.0, removed_mm2: 0.0, chip_mm2: 0.02 });
+        proof.blocks.push(BlockReport {
+            program,
+            block,
+            runs: 1,
+            time_s: 2.0,
+            removed_mm2: 0.0,
+            chip_mm2: 0.02,
+            printed: None,
+        });
     }
     derived.programs = Arc::new(vec![ProgramText { name: "SAMPLE1".into(), text: String::new(), edited: false }]);
     derived.proof = Arc::new(proof);

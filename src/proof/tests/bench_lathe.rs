@@ -174,3 +174,8 @@ pub(super) fn area(state: &StockState) -> f64 {
     };
     state.rings.iter().map(doubled).sum::<f64>() / 2.0
 }
+
+/// The shipped lathe with today's control of words.
+pub(in crate::proof) fn word_lathe() -> Machine {
+    crate::machine::Catalog::shipped().machine("fanuc-0i").unwrap().clone()
+}
