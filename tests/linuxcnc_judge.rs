@@ -17,7 +17,7 @@ use turnwright::regen::{Cache, regenerate};
 use turnwright::storage::{document_from_text, examples};
 use turnwright::turning::CutterPath;
 use words_scan::listing::path_of_listing;
-use words_scan::paths::{Wanted, all_sorts, compare, wanted};
+use words_scan::paths::{Wanted, all_sorts, compare, finish_with_recipe, thread_with_recipe, wanted};
 use words_scan::read::{Step, read};
 
 /// What LinuxCNC's moves may differ from ours, mm.
@@ -220,5 +220,48 @@ fn planned_examples_are_accepted_and_move_as_planned() {
             }
             judge_linuxcnc(&setup.path, TOLERANCE, &setup.name);
         }
+    }
+}
+
+#[test]
+fn the_nose_that_linuxcnc_compensates_goes_the_way_of_the_path() {
+    if !is_installed() {
+        return;
+    }
+    let path = finish_with_recipe();
+    let options = Options { compensated_by_control: true, ..Options::default() };
+    let output = post("JUDGED", &path, &options, &Header::default(), &machine("linuxcnc"));
+    assert_eq!(output.diagnostics, []);
+    let text = &output.programs[0].text;
+    assert!(text.contains("G42.1 D1.6000 L2 G1 X36.0000 Z0.0000 F0.2000"), "{text}");
+    assert!(text.contains("G40 G0 X"), "{text}");
+    let steps = without_standing(judge(text).unwrap_or_else(|e| panic!("{e}\n{text}")));
+    compare(&steps, &wanted_with_retracts(&path), Point::default(), TOLERANCE)
+        .unwrap_or_else(|e| panic!("{e}\n{text}\n{steps:#?}"));
+}
+
+#[test]
+fn the_thread_that_linuxcnc_cuts_by_itself_is_the_thread_of_the_path() {
+    if !is_installed() {
+        return;
+    }
+    for (crest, root, drive) in [(20.0, 18.773, 22.0), (17.294, 18.6, 15.0)] {
+        let path = thread_with_recipe(crest, root, drive);
+        let options = Options { canned_cycles: true, ..Options::default() };
+        let output = post("JUDGED", &path, &options, &Header::default(), &machine("linuxcnc"));
+        let text = &output.programs[0].text;
+        assert!(text.contains("G76 P2.0000 Z-30.0000"), "{text}");
+        let steps = judge(text).unwrap_or_else(|e| panic!("{e}\n{text}"));
+        let passes: Vec<(f64, f64)> = steps
+            .iter()
+            .filter_map(|s| match s {
+                Step::Thread { to, lead } => Some((to.r, *lead)),
+                _ => None,
+            })
+            .collect();
+        let (deepest, lead) = *passes.last().unwrap();
+        assert!((deepest - root).abs() < TOLERANCE && (lead - 2.0).abs() < TOLERANCE, "{text}\n{passes:?}");
+        let first = (passes[0].0 - crest).abs();
+        assert!((first - 0.3).abs() < TOLERANCE, "the first cut takes {first} mm\n{text}\n{passes:?}");
     }
 }

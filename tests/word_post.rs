@@ -7,7 +7,9 @@ use turnwright::geometry::{Point, Segment, Vector};
 use turnwright::machine::{ArcCenter, Catalog, Comments, Machine};
 use turnwright::post::{Header, Options, PostOutput, post};
 use turnwright::turning::{CutMove, CutterPath, OperationKind};
-use words_scan::paths::{CUT, all_sorts, compare, operation, wanted};
+use words_scan::paths::{
+    CUT, all_sorts, compare, finish_with_recipe, operation, rough_and_finish_with_recipes, thread_with_recipe, wanted,
+};
 use words_scan::read::read;
 use words_scan::scan;
 
@@ -181,4 +183,63 @@ proptest! {
             }
         }
     }
+}
+
+fn fanuc() -> Machine {
+    machines().into_iter().find(|m| m.id == "fanuc-0i").unwrap()
+}
+
+/// The lines between the calls of a tool and the next coolant off, sequence numbers left out.
+fn lines_of(path: &CutterPath, options: &Options, machine: &Machine) -> String {
+    let output = post("TEST", path, options, &Header::default(), machine);
+    assert_eq!(output.diagnostics, []);
+    output.programs[0].text.clone()
+}
+
+#[test]
+fn recipes_are_written_only_where_asked_for() {
+    let plain = lines_of(&rough_and_finish_with_recipes(), &Options::default(), &fanuc());
+    assert!(!plain.contains("G71") && !plain.contains("G42"), "{plain}");
+    let mori = machines().into_iter().find(|m| m.id == "mori-fanuc-6t").unwrap();
+    let options = Options { canned_cycles: true, ..Options::default() };
+    assert!(!lines_of(&rough_and_finish_with_recipes(), &options, &mori).contains("G71"), "a control without cycles");
+}
+
+#[test]
+fn a_fanuc_roughs_by_g71_and_finishes_by_g70() {
+    let options = Options { canned_cycles: true, ..Options::default() };
+    let text = lines_of(&rough_and_finish_with_recipes(), &options, &fanuc());
+    let block = |start: &str| {
+        text.lines().find(|l| l.contains(start)).unwrap_or_else(|| panic!("{start} is missing\n{text}")).to_owned()
+    };
+    assert!(block("G71 U").ends_with("G71 U2.000 R0.500"));
+    let cycle = block("G71 P");
+    let words = scan(&cycle);
+    let value = |letter| words.iter().find(|w| w.letter == letter).unwrap().value;
+    assert_eq!((value('U'), value('W'), value('F')), (0.4, 0.1, 0.2));
+    let (first, last) = (value('P'), value('Q'));
+    assert!(block(&format!("N{first} ")).ends_with("G1 X40.000 F0.200"), "{text}");
+    assert!(block(&format!("N{last} ")).ends_with("X62.000"), "{text}");
+    assert!(block("G70").ends_with(&format!("G70 P{first} Q{last}")), "{text}");
+    assert_eq!(text.matches("Z-20.000").count(), 1, "the finishing moves are not written again\n{text}");
+}
+
+#[test]
+fn a_fanuc_cuts_a_thread_by_g76() {
+    let options = Options { canned_cycles: true, ..Options::default() };
+    let text = lines_of(&thread_with_recipe(20.0, 18.773, 22.0), &options, &fanuc());
+    assert!(text.contains("G76 P020000 Q50 R0.020\n"), "{text}");
+    assert!(text.contains("G76 X37.546 Z-30.000 P1227 Q300 F2.000\n"), "{text}");
+    assert!(!text.contains("G32"), "{text}");
+}
+
+#[test]
+fn a_control_compensates_the_nose_on_the_side_where_the_tool_is() {
+    let options = Options { compensated_by_control: true, ..Options::default() };
+    let text = lines_of(&finish_with_recipe(), &options, &fanuc());
+    for block in ["G42 G1 X36.000 Z0.000 F0.200", "G40 G0 X80.000 Z-15.000"] {
+        assert!(text.contains(block), "{text}");
+    }
+    let mori = machines().into_iter().find(|m| m.id == "mori-fanuc-6t").unwrap();
+    assert!(lines_of(&finish_with_recipe(), &options, &mori).contains("G41G1X-36.000"), "X negative: seen in a mirror");
 }

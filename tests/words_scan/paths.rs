@@ -2,7 +2,10 @@
 
 use super::read::Step;
 use turnwright::geometry::{Point, Segment, Vector};
-use turnwright::turning::{Cut, CutMove, CutterPath, Feed, Operation, OperationKind, Speed};
+use turnwright::turning::{
+    Cut, CutMove, CutterPath, Feed, FinishRecipe, Operation, OperationKind, Recipe, RecipeKind, RoughRecipe, Side,
+    Speed, ThreadRecipe,
+};
 
 pub(crate) const CUT: Cut =
     Cut { feed: Feed::PerRev(0.2), speed: Speed::Surface { m_per_min: 180.0, max_rpm: 2500.0 } };
@@ -170,4 +173,89 @@ pub(crate) fn compare(steps: &[Step], wanted: &[Wanted], start: Point, tolerance
         Some(extra) => Err(format!("{extra:?} is not wanted")),
         None => Ok(()),
     }
+}
+
+/// A chamfer, a cylinder and a shoulder, cut towards the chuck by a nose of 0.8 mm, with the contour as a recipe.
+pub(crate) fn finish_with_recipe() -> CutterPath {
+    let (p, nose) = (Point::new, 0.8);
+    let line = |z, r| CutMove::Line { to: p(z, r), cut: CUT };
+    // The nose's centre is (nose, nose) from the programmed point; a slope of 45 degrees moves it by nose / √2 on either axis.
+    let slope = nose - nose / 2_f64.sqrt();
+    let (change, approach) = (p(150.0, 100.0), p(64.0, 14.0));
+    let corner_center = p(58.0 - nose, 20.0 - nose);
+    let moves = vec![
+        CutMove::Rapid { to: approach },
+        line(60.0 - slope, 18.0 - slope),
+        line(58.0 - slope, 20.0 - slope),
+        CutMove::Arc { to: p(58.0 - nose, 20.0), center: corner_center, ccw: true, cut: CUT },
+        line(40.0, 20.0),
+        line(40.0, 26.0 - nose),
+        CutMove::Rapid { to: p(45.0, 40.0) },
+        CutMove::Rapid { to: change },
+    ];
+    let contour = vec![line(60.0, 18.0), line(58.0, 20.0), line(40.0, 20.0), line(40.0, 26.0)];
+    let finish = FinishRecipe { contour, side: Side::Right, nose_radius: nose, orientation: 3 };
+    let mut operation = operation(OperationKind::FinishRight, 5, change, moves);
+    operation.recipes = vec![Recipe { moves: 1..6, kind: RecipeKind::Finish(finish) }];
+    CutterPath { datum: change, program_zero_z: 60.0, operations: vec![operation] }
+}
+
+/// A thread of 2 mm lead over 30 mm, as two passes and as a recipe, from a drive line.
+pub(crate) fn thread_with_recipe(crest: f64, root: f64, drive: f64) -> CutterPath {
+    let p = Point::new;
+    let (change, start) = (p(150.0, 100.0), p(65.0, drive));
+    let mut moves = vec![CutMove::Rapid { to: p(65.0, drive) }];
+    for r in [f64::midpoint(crest, root), root] {
+        moves.push(CutMove::Rapid { to: p(65.0, r) });
+        moves.push(CutMove::ThreadPass { to: p(30.0, r), lead: 2.0, start_deg: 0.0, rpm: 400.0 });
+        moves.push(CutMove::Rapid { to: p(30.0, drive) });
+        moves.push(CutMove::Rapid { to: start });
+    }
+    moves.push(CutMove::Rapid { to: change });
+    let thread = ThreadRecipe {
+        to_z: 30.0,
+        crest_radius: crest,
+        root_radius: root,
+        lead: 2.0,
+        first_depth: 0.3,
+        least_depth: 0.05,
+        finish_depth: 0.02,
+        spring_passes: 1,
+        flank_deg: 0.0,
+        rpm: 400.0,
+    };
+    let mut operation = operation(OperationKind::Thread, 7, change, moves);
+    operation.recipes = vec![Recipe { moves: 1..9, kind: RecipeKind::Thread(thread) }];
+    CutterPath { datum: change, program_zero_z: 60.0, operations: vec![operation] }
+}
+
+/// Roughing and finishing of the same steps with one contour, as recipes; the moves stand for both.
+pub(crate) fn rough_and_finish_with_recipes() -> CutterPath {
+    let p = Point::new;
+    let line = |z, r| CutMove::Line { to: p(z, r), cut: CUT };
+    let (change, start) = (p(150.0, 100.0), p(62.0, 32.0));
+    let contour = vec![line(62.0, 20.0), line(40.0, 20.0), line(40.0, 25.0), line(20.0, 28.0), line(20.0, 31.0)];
+    let whole = |kind, tool, recipe| {
+        let mut moves = vec![CutMove::Rapid { to: start }];
+        moves.extend(contour.clone());
+        moves.extend([CutMove::Rapid { to: start }, CutMove::Rapid { to: change }]);
+        let mut operation = operation(kind, tool, change, moves);
+        operation.recipes = vec![Recipe { moves: 1..6, kind: recipe }];
+        operation
+    };
+    let rough = RoughRecipe {
+        start,
+        contour: contour.clone(),
+        depth: 2.0,
+        retract: 0.5,
+        allowance_radius: 0.2,
+        allowance_z: 0.1,
+        cut: CUT,
+    };
+    let finish = FinishRecipe { contour: contour.clone(), side: Side::Right, nose_radius: 0.4, orientation: 3 };
+    let operations = vec![
+        whole(OperationKind::RoughRight, 1, RecipeKind::Rough(rough)),
+        whole(OperationKind::FinishRight, 5, RecipeKind::Finish(finish)),
+    ];
+    CutterPath { datum: change, program_zero_z: 60.0, operations }
 }

@@ -3,7 +3,7 @@
 use super::control::Control;
 use super::spindle::Speeds;
 use super::writer::Writer;
-use crate::geometry::{Point, Vector};
+use crate::geometry::Point;
 use crate::machine::{Preset, ToolWord};
 use crate::turning::{CutterPath, Operation};
 use crate::units::Unit;
@@ -41,7 +41,7 @@ impl Writer<'_> {
         if self.control.words.preset != Preset::G50 {
             self.coolant_on();
         }
-        self.moves(&operation.moves, Vector::zeros());
+        self.body(operation);
         self.rapid(change);
         self.leave(operation.tool);
         self.operation = None;

@@ -13,6 +13,7 @@ mod frame;
 mod grid;
 mod moves;
 mod number;
+mod recipes;
 mod spindle;
 mod thread;
 mod time;

@@ -124,7 +124,9 @@ impl Writer<'_> {
 
     /// Adds a motion word; G1 only where the control does not know it yet.
     pub(super) fn motion(&mut self, line: &mut Line<'_>, motion: u32) {
-        if motion == G1 && self.state.motion == Some(G1) {
+        if let Some(words) = self.pending.take() {
+            line.code(&words).whole('G', motion);
+        } else if motion == G1 && self.state.motion == Some(G1) {
             line.implied = "G1";
         } else {
             line.whole('G', motion);

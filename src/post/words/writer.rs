@@ -3,6 +3,7 @@
 use super::block::{Block, Line};
 use super::control::{Control, Spindle};
 use super::grid::Counts;
+use super::recipes::Profile;
 use crate::geometry::Point;
 
 /// What the control remembers.
@@ -30,6 +31,10 @@ pub(super) struct Writer<'a> {
     pub(super) blocks: Vec<Block>,
     /// Index of the operation that is written.
     pub(super) operation: Option<usize>,
+    /// Words that the next motion block begins with.
+    pub(super) pending: Option<String>,
+    /// The contour that a finishing cycle may follow.
+    pub(super) profile: Option<Profile>,
     next_number: u32,
     /// Characters of all blocks with their ends.
     pub(super) chars: usize,
@@ -47,7 +52,16 @@ pub(super) struct Mark {
 impl<'a> Writer<'a> {
     pub(super) fn new(control: &'a Control<'a>) -> Self {
         let next_number = control.words.sequence_numbers.map_or(0, |n| n.first);
-        Self { control, state: State::default(), blocks: Vec::new(), operation: None, next_number, chars: 0 }
+        Self {
+            control,
+            state: State::default(),
+            blocks: Vec::new(),
+            operation: None,
+            pending: None,
+            profile: None,
+            next_number,
+            chars: 0,
+        }
     }
 
     pub(super) const fn line(&self) -> Line<'a> {
@@ -105,6 +119,14 @@ impl<'a> Writer<'a> {
         self.chars += length + self.control.words.block_end.chars().count();
         let Line { text, faults, .. } = line;
         self.blocks.push(Block { text, words_at, implied, operation: self.operation, faults });
+    }
+
+    /// The number of the block after `blocks` more, if it has one.
+    pub(super) fn number_ahead(&self, blocks: u32) -> Option<u32> {
+        let numbers = self.control.words.sequence_numbers?;
+        let number = self.next_number.saturating_add(numbers.step.saturating_mul(blocks));
+        let most = self.control.words.digits.get(&'N').map_or(usize::MAX, |digits| usize::from(digits.most));
+        (number.to_string().len() <= most).then_some(number)
     }
 
     /// The next N word; blocks beyond the highest number have none, so that no number is there twice.
