@@ -28,6 +28,9 @@ pub enum Place {
     Section {
         /// Stable id of the row.
         id: u32,
+        /// The table that holds it.
+        #[serde(default, skip_serializing_if = "SectionTable::is_outside")]
+        table: SectionTable,
         /// Position of the row in the table, from 1, at the time of the message.
         row: usize,
         /// Column of the table.
@@ -70,6 +73,17 @@ pub enum Place {
     },
 }
 
+/// The section tables of a part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SectionTable {
+    /// The outside.
+    #[default]
+    Outside,
+    /// The bore.
+    Bore,
+}
+
 /// A column of the section table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -88,6 +102,8 @@ pub enum Column {
     Radius,
     /// Thread pitch.
     Pitch,
+    /// Starts of a thread.
+    Starts,
     /// Position of the third point of a parabola.
     Z3,
     /// Diameter of the third point of a parabola.
@@ -166,8 +182,8 @@ impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Document => write!(f, "document"),
-            Self::Section { row, column, .. } => {
-                write!(f, "section {row}")?;
+            Self::Section { table, row, column, .. } => {
+                write!(f, "{table} {row}")?;
                 column.map_or(Ok(()), |c| write!(f, ", {c}"))
             }
             Self::Stock => write!(f, "stock"),
@@ -183,6 +199,25 @@ impl fmt::Display for Place {
     }
 }
 
+impl SectionTable {
+    /// True for the table of the outside.
+    #[must_use]
+    #[allow(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde asks for")]
+    pub const fn is_outside(&self) -> bool {
+        matches!(self, Self::Outside)
+    }
+}
+
+/// What one row of the table is called.
+impl fmt::Display for SectionTable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Outside => "section",
+            Self::Bore => "bore section",
+        })
+    }
+}
+
 impl fmt::Display for Column {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
@@ -193,6 +228,7 @@ impl fmt::Display for Column {
             Self::D2 => "⌀ end",
             Self::Radius => "radius",
             Self::Pitch => "pitch",
+            Self::Starts => "starts",
             Self::Z3 => "z third",
             Self::D3 => "⌀ third",
             Self::Chords => "chords",

@@ -1,21 +1,28 @@
-//! `NAME.contour.json`: the finished contour as lines and arcs.
+//! `NAME.contour.json`: the finished contour as lines and arcs, and that of the bore as a second chain.
 
 use crate::geometry::{Contour, Segment};
+use crate::part::PartContour;
 use crate::regen::SetupDerived;
 use serde_json::{Value, json};
 
 pub(super) fn contour(item: &SetupDerived) -> Value {
-    let segments = item.contour.contour.segments.iter().zip(&item.contour.sections).map(|(s, &section)| {
-        let mut value = segment(s);
-        value["section"] = json!(section);
-        value
-    });
     json!({
         "name": item.name,
         "unit": "mm",
         "space": "part space of the set-up: z along the spindle, growing away from the chuck; r a radius",
-        "segments": segments.collect::<Vec<_>>(),
+        "segments": chain(&item.contour),
+        "bore": item.bore.as_ref().as_ref().map(chain),
     })
+}
+
+/// The segments of a contour with their rows; row 0 is the hole of a tube that no row describes.
+fn chain(contour: &PartContour) -> Value {
+    let segments = contour.contour.segments.iter().zip(&contour.sections).map(|(s, &section)| {
+        let mut value = segment(s);
+        value["section"] = json!(section);
+        value
+    });
+    segments.collect()
 }
 
 /// One segment with everything that a reader may want to know of it.

@@ -1,6 +1,7 @@
 //! `NAME.setup.json`: machine, stock, work holding, part zero and the tools that the programs call.
 
 use super::contour::outline;
+use crate::document::Content;
 use crate::machine::Machine;
 use crate::regen::{Derived, SetupDerived};
 use serde_json::{Value, json};
@@ -8,6 +9,9 @@ use std::collections::BTreeSet;
 
 pub(super) fn setup(derived: &Derived, item: &SetupDerived) -> Value {
     let setup = &item.setup;
+    let Content::TurnedPart(part) = &derived.document.content;
+    let in_mm = derived.document.unit.in_mm();
+    let (hole, facing) = (part.stock_bore_diameter * in_mm, part.facing_allowance * in_mm);
     json!({
         "name": item.name,
         "unit": "mm",
@@ -15,17 +19,23 @@ pub(super) fn setup(derived: &Derived, item: &SetupDerived) -> Value {
         "machine": derived.machine.as_deref().map(machine),
         "stock": {
             "bar_diameter": 2.0 * setup.bar_radius,
+            "hole_diameter": hole,
+            "facing_allowance": facing,
             "outline": outline(&setup.stock),
         },
         "work_holding": derived.machine.as_deref().map(|m| json!({
-            "kind": "chuck",
+            "kind": setup.holding,
             "face_z": setup.chuck_face_z,
             "radius": m.chuck.radius_mm,
             "depth": m.chuck.depth_mm,
+            "directions": setup.directions,
+            "mandrel": setup.mandrel.as_ref().map(outline),
+            "tailstock": setup.tailstock.as_ref().map(outline),
         })),
         "part": {
             "length": setup.length,
             "machined_from_z": setup.machined_from_z,
+            "bored_from_z": setup.bore.as_ref().map(|_| setup.bored_from_z),
             "turned_round": setup.turned_round,
         },
         "part_zero": {

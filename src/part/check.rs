@@ -1,9 +1,9 @@
 //! The checks of a section table: every rule, each with the measured value and the limit.
 
-use super::rules::RULES;
+use super::rules::{BORE_RULES, RULES};
 use super::shape::{self, ShapeFault};
 use super::{Curve, Section, SectionKind};
-use crate::diagnostic::{Column, Diagnostic, Place};
+use crate::diagnostic::{Column, Diagnostic, Place, SectionTable};
 use crate::document::{ParabolaCut, TurnedPart};
 use crate::machine::Machine;
 use crate::units::Unit;
@@ -11,8 +11,10 @@ use crate::units::Unit;
 /// What the rules have to say about `part`, whose lengths are in `unit`, on `machine`. Messages are in `unit`.
 #[must_use]
 pub fn check(part: &TurnedPart, unit: Unit, machine: &Machine) -> Vec<Diagnostic> {
-    let table = Table::new(part, unit, machine);
-    RULES.iter().flat_map(|rule| rule(&table)).collect()
+    let outside = Table::new(part, unit, machine);
+    let bore = Table::of_bore(part, unit, machine);
+    let of_bore = BORE_RULES.iter().flat_map(|rule| rule(&bore));
+    RULES.iter().flat_map(|rule| rule(&outside)).chain(of_bore).collect()
 }
 
 /// One rule: everything it finds in a table.
@@ -24,6 +26,8 @@ pub(super) struct Table<'a> {
     pub part: TurnedPart,
     /// The machine that is to make it.
     pub machine: &'a Machine,
+    /// Which of the part's tables this is.
+    pub side: SectionTable,
     /// All rows, in the order of the table.
     pub all_rows: Vec<Row>,
     unit: Unit,
@@ -31,6 +35,8 @@ pub(super) struct Table<'a> {
 
 /// One row of the table, in mm.
 pub(super) struct Row {
+    /// The table that holds it.
+    pub side: SectionTable,
     /// Position in the table, from 1.
     pub number: usize,
     /// The row in mm.
@@ -40,15 +46,42 @@ pub(super) struct Row {
 }
 
 impl<'a> Table<'a> {
-    /// The table of a part whose lengths are in `unit`.
+    /// The table of the outside of a part whose lengths are in `unit`.
     pub(super) fn new(part: &TurnedPart, unit: Unit, machine: &'a Machine) -> Self {
+        Self::of(SectionTable::Outside, part, unit, machine)
+    }
+
+    /// The table of the bore of a part whose lengths are in `unit`.
+    pub(super) fn of_bore(part: &TurnedPart, unit: Unit, machine: &'a Machine) -> Self {
+        Self::of(SectionTable::Bore, part, unit, machine)
+    }
+
+    fn of(side: SectionTable, part: &TurnedPart, unit: Unit, machine: &'a Machine) -> Self {
         let part = part.scaled(unit.in_mm());
-        let rows = (1..).zip(&part.sections).map(|(number, section)| Row {
+        let (sections, curve): (_, fn(&Section) -> Result<Curve, ShapeFault>) = match side {
+            SectionTable::Outside => (&part.sections, shape::curve),
+            SectionTable::Bore => (&part.bore, |section| shape::curve(&section.seen_from_inside())),
+        };
+        let row = |(number, section): (usize, &Section)| Row {
+            side,
             number,
             section: section.clone(),
-            curve: shape::curve(section),
-        });
-        Self { all_rows: rows.collect(), part, machine, unit }
+            curve: curve(section),
+        };
+        Self { side, all_rows: (1..).zip(sections).map(row).collect(), part, machine, unit }
+    }
+
+    /// Radius of the hole in the stock, mm; 0 for solid bar.
+    pub(super) fn hole_radius(&self) -> f64 {
+        let diameter = self.part.stock_bore_diameter;
+        if shape::is_usable(diameter) { (diameter / 2.0).max(0.0) } else { 0.0 }
+    }
+
+    /// The rows of the bore that take off more than the hole of the stock leaves to be taken.
+    pub(super) fn bored_rows(&self) -> impl Iterator<Item = (&Row, &Curve)> {
+        let hole = self.hole_radius();
+        let bored = self.curves().filter(move |(_, curve)| curve.bounds().max.r > hole + shape::SAME_PLACE_MM);
+        bored.filter(|_| self.side == SectionTable::Bore)
     }
 
     /// A length with its unit, in the unit of the document.
@@ -93,7 +126,7 @@ impl<'a> Table<'a> {
 impl Row {
     /// The place of a column of this row.
     pub(super) const fn at(&self, column: Column) -> Place {
-        Place::Section { id: self.section.id, row: self.number, column: Some(column) }
+        Place::Section { id: self.section.id, table: self.side, row: self.number, column: Some(column) }
     }
 
     /// Every length of the row with its column, mm.
@@ -103,7 +136,7 @@ impl Row {
         match *kind {
             SectionKind::Line => {}
             SectionKind::Concave { radius } | SectionKind::Convex { radius } => figures.push((Column::Radius, radius)),
-            SectionKind::Thread { pitch } => figures.push((Column::Pitch, pitch)),
+            SectionKind::Thread { pitch, .. } => figures.push((Column::Pitch, pitch)),
             SectionKind::ParabolaAlongZ { z3, d3, .. } | SectionKind::ParabolaAlongX { z3, d3, .. } => {
                 figures.extend([(Column::Z3, z3), (Column::D3, d3)]);
             }

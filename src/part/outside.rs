@@ -1,12 +1,13 @@
 //! The outside of a part in document positions, from its section table.
 
-use super::envelope::{Run, Surface, lowest};
+use super::envelope::{Run, Surface, runs};
 use super::shape::{self, SAME_PLACE_MM};
 use super::{Curve, Piece, PieceRole, Section, SectionKind};
+use crate::diagnostic::SectionTable;
 use crate::geometry::Point;
 
-/// Row id of pieces that stand for a table without any usable row.
-const NO_SECTION: u32 = 0;
+/// Row id of pieces that no row describes.
+pub(super) const NO_SECTION: u32 = 0;
 
 /// The connected outside from position 0 to `length`, both in mm, without the face of either end.
 ///
@@ -15,7 +16,7 @@ const NO_SECTION: u32 = 0;
 pub(super) fn outside(sections: &[Section], length: f64, bar_radius: f64) -> Vec<Piece> {
     let surfaces = surfaces(sections);
     let walls = walls(sections);
-    let runs = lowest(&surfaces, 0.0, length);
+    let runs = runs(SectionTable::Outside, &surfaces, 0.0, length);
     let mut pieces: Vec<Piece> = Vec::with_capacity(runs.len());
     for (index, run) in runs.iter().enumerate() {
         let next = runs.get(index + 1).and_then(|run| run.surface.map(|s| (s, run.z1)));
@@ -56,7 +57,7 @@ pub(super) fn faces(walls: &[Section], from: Point, to_r: f64, section: u32) -> 
 }
 
 /// The surfaces of all rows that have one, in order of position.
-fn surfaces(sections: &[Section]) -> Vec<Surface> {
+pub(super) fn surfaces(sections: &[Section]) -> Vec<Surface> {
     let mut surfaces: Vec<Surface> = sections.iter().filter(|s| !shape::is_face_row(s)).filter_map(surface).collect();
     surfaces.sort_by(|a, b| a.curve.start().z.total_cmp(&b.curve.start().z));
     surfaces
@@ -94,7 +95,7 @@ fn piece_of(run: &Run<'_>, before: Option<&Piece>, next: Option<(&Surface, f64)>
 }
 
 /// Adds a piece, with a face before it where the radius steps.
-fn append(pieces: &mut Vec<Piece>, piece: Piece, walls: &[Section]) {
+pub(super) fn append(pieces: &mut Vec<Piece>, piece: Piece, walls: &[Section]) {
     let Some(end) = pieces.last().map(Piece::end) else {
         pieces.push(piece);
         return;

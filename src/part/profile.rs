@@ -52,7 +52,7 @@ pub struct Piece {
 pub enum PieceRole {
     /// The surface of a section.
     Surface,
-    /// The outside cylinder of a thread, before the thread is cut.
+    /// The cylinder of a thread before it is cut: outside its major, in a bore its minor diameter.
     Thread,
     /// A face between sections of different diameter.
     Face,
@@ -60,30 +60,13 @@ pub enum PieceRole {
     Filler,
 }
 
-/// The outside of one set-up's part, from the clamped end (smallest z) to the free end, in part space, mm.
+/// The outside or the bore of one set-up's part, from the clamped end (smallest z) to the free end, in part space, mm.
 ///
 /// The pieces are connected: each starts where the one before ends. Nowhere does z decrease along the profile.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Profile {
     /// The pieces in order of z.
     pub pieces: Vec<Piece>,
-}
-
-/// An outside thread to be cut on a profile, mm.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ThreadSpec {
-    /// Row of the thread.
-    pub section: u32,
-    /// End towards the clamped end.
-    pub z1: f64,
-    /// End towards the free end.
-    pub z2: f64,
-    /// Outside radius.
-    pub outside_radius: f64,
-    /// Base (root) radius.
-    pub base_radius: f64,
-    /// Pitch per turn.
-    pub pitch: f64,
 }
 
 impl Piece {
@@ -136,29 +119,4 @@ pub struct PartContour {
     pub contour: Contour,
     /// Row id of each segment, as many as segments.
     pub sections: Vec<u32>,
-}
-
-/// One clamping of the part: what is machined while it is held, in the space of that set-up (free end at the largest z), mm.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Setup {
-    /// Suffix of file names: empty with one end, `A` and `B` with two.
-    pub suffix: String,
-    /// The whole finished outside.
-    pub profile: Profile,
-    /// Threads cut in this set-up.
-    pub threads: Vec<ThreadSpec>,
-    /// What is machined in this set-up: z from here to `length`.
-    pub machined_from_z: f64,
-    /// Length of the finished part.
-    pub length: f64,
-    /// Radius of the bar.
-    pub bar_radius: f64,
-    /// Closed outline of the material before this set-up, counter-clockwise, axis included.
-    pub stock: Contour,
-    /// Position of the chuck's face; the jaws lie to its left.
-    pub chuck_face_z: f64,
-    /// Width to be parted off at the clamped end, if any.
-    pub part_off_width: Option<f64>,
-    /// True if z runs against the document's positions (second end): document position = length − z.
-    pub turned_round: bool,
 }

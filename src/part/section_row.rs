@@ -18,6 +18,9 @@ pub(super) struct SectionRow {
     radius: Option<f64>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pitch: Option<f64>,
+    /// 1 without.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    starts: Option<u32>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     z3: Option<f64>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -40,7 +43,7 @@ enum RowType {
 impl SectionRow {
     const fn new(section: &Section, kind: RowType) -> Self {
         let &Section { id, z1, d1, z2, d2, .. } = section;
-        Self { id, kind, z1, d1, z2, d2, radius: None, pitch: None, z3: None, d3: None, chords: None }
+        Self { id, kind, z1, d1, z2, d2, radius: None, pitch: None, starts: None, z3: None, d3: None, chords: None }
     }
 
     /// The value of a column that the type needs.
@@ -53,7 +56,9 @@ impl SectionRow {
             RowType::Line => SectionKind::Line,
             RowType::Concave => SectionKind::Concave { radius: self.needed("radius", self.radius)? },
             RowType::Convex => SectionKind::Convex { radius: self.needed("radius", self.radius)? },
-            RowType::Thread => SectionKind::Thread { pitch: self.needed("pitch", self.pitch)? },
+            RowType::Thread => {
+                SectionKind::Thread { pitch: self.needed("pitch", self.pitch)?, starts: self.starts.unwrap_or(1) }
+            }
             RowType::ParabolaAlongZ => {
                 let (z3, d3, chords) = self.parabola()?;
                 SectionKind::ParabolaAlongZ { z3, d3, chords }
@@ -76,6 +81,7 @@ impl SectionRow {
         [
             ("radius", self.radius, arc),
             ("pitch", self.pitch, self.kind == RowType::Thread),
+            ("starts", self.starts.map(f64::from), self.kind == RowType::Thread),
             ("z3", self.z3, parabola),
             ("d3", self.d3, parabola),
             ("chords", self.chords.map(f64::from), parabola),
@@ -106,7 +112,9 @@ impl From<Section> for SectionRow {
             SectionKind::Line => row(RowType::Line),
             SectionKind::Concave { radius } => Self { radius: Some(radius), ..row(RowType::Concave) },
             SectionKind::Convex { radius } => Self { radius: Some(radius), ..row(RowType::Convex) },
-            SectionKind::Thread { pitch } => Self { pitch: Some(pitch), ..row(RowType::Thread) },
+            SectionKind::Thread { pitch, starts } => {
+                Self { pitch: Some(pitch), starts: (starts != 1).then_some(starts), ..row(RowType::Thread) }
+            }
             SectionKind::ParabolaAlongZ { z3, d3, chords } => {
                 Self { z3: Some(z3), d3: Some(d3), chords: Some(chords), ..row(RowType::ParabolaAlongZ) }
             }
@@ -127,7 +135,8 @@ mod tests {
             SectionKind::Line,
             SectionKind::Concave { radius: 0.1 },
             SectionKind::Convex { radius: 2.0 },
-            SectionKind::Thread { pitch: 1.75 },
+            SectionKind::Thread { pitch: 1.75, starts: 1 },
+            SectionKind::Thread { pitch: 2.0, starts: 3 },
             SectionKind::ParabolaAlongZ { z3: 1.0, d3: -2.0, chords: 10 },
             SectionKind::ParabolaAlongX { z3: -1.0, d3: 2.0, chords: 3 },
         ];
@@ -144,6 +153,7 @@ mod tests {
             (r#""type":"line","colour":1"#, "colour"),
             (r#""type":"convex""#, "`radius`"),
             (r#""type":"line","pitch":2"#, "`pitch` is 2"),
+            (r#""type":"line","starts":2"#, "`starts` is 2"),
             (r#""type":"parabola_along_x","z3":1,"d3":2,"chords":-1"#, "-1"),
             (r#""type":"sphere""#, "sphere"),
         ] {

@@ -1,19 +1,20 @@
 //! The clampings of a part: what is machined in each, from what stock, and how it is held.
 
+use super::bore::{self, bore};
+use super::holding::held;
 use super::outside::{faces, outside, walls};
 use super::shape::{self, is_usable};
 use super::split::split;
-use super::{Curve, Piece, PieceRole, Profile, Section, SectionKind, Setup, ThreadSpec, contour};
+use super::stock;
+use super::thread::{clipped, threads};
+use super::{Curve, Piece, PieceRole, Profile, Section, Setup, ThreadSpec};
 use crate::diagnostic::{Diagnostic, Place};
-use crate::document::{Ends, TurnedPart};
-use crate::geometry::{Contour, Point, Segment};
+use crate::document::{Ends, Holding, TurnedPart};
+use crate::geometry::Point;
 use crate::machine::Machine;
 
 /// Width that the published generator adds at the clamped end for parting off, mm: the width of its blade.
 pub const PART_OFF_WIDTH_MM: f64 = 3.0;
-
-/// How far the stock of a second clamping may lie from the parabolas that the first one left, mm.
-const STOCK_TOLERANCE_MM: f64 = 1e-3;
 
 /// The clampings of `part_mm`, in order of machining, and what is to be said about them.
 ///
@@ -43,14 +44,21 @@ fn part_off_ignored() -> Diagnostic {
     .with_hint("Machine one end only, or switch parting-off off.")
 }
 
-/// A part with usable figures, in document positions.
+/// A part with usable figures, in the space of one of its ends.
 struct Blank {
     pieces: Vec<Piece>,
     /// Rows that stand for a face each.
     walls: Vec<Section>,
     threads: Vec<ThreadSpec>,
+    bore: Vec<Piece>,
+    bore_threads: Vec<ThreadSpec>,
     length: f64,
     bar_radius: f64,
+    /// Radius of the hole in a tube, 0 for solid bar.
+    hole_radius: f64,
+    /// Material beyond the free end.
+    facing: f64,
+    holding: Holding,
 }
 
 impl Blank {
@@ -60,94 +68,131 @@ impl Blank {
         let length = positive(part.length).or(positive(last))?;
         let widest = part.sections.iter().filter_map(|s| positive(s.d1.max(s.d2))).fold(0.0, f64::max);
         let bar_radius = positive(part.bar_diameter).unwrap_or(widest) / 2.0;
-        let pieces = outside(&part.sections, length, bar_radius);
-        Some(Self { pieces, walls: walls(&part.sections), threads: threads(part, length), length, bar_radius })
+        let hole = positive(part.stock_bore_diameter).map(|d| d / 2.0).filter(|r| *r < bar_radius);
+        let hole_radius = hole.unwrap_or(0.0);
+        Some(Self {
+            pieces: outside(&part.sections, length, bar_radius),
+            walls: walls(&part.sections),
+            threads: threads(&part.sections, length),
+            bore: bore(&part.bore, length, hole_radius),
+            bore_threads: threads(&part.bore, length),
+            length,
+            bar_radius,
+            hole_radius,
+            facing: positive(part.facing_allowance).unwrap_or(0.0),
+            holding: part.holding,
+        })
     }
 
-    fn one_end(&self, machine: &Machine, part_off: bool) -> Setup {
-        let width = if part_off { PART_OFF_WIDTH_MM } else { 0.0 };
-        let mut pieces = self.pieces.clone();
-        if let Some(first) = self.pieces.first().filter(|_| part_off) {
-            let curve = Curve::line(Point::new(-width, first.start().r), first.start());
-            pieces.insert(0, Piece { curve, section: first.section, role: PieceRole::Surface });
-        }
-        let chuck_face_z = -machine.chuck.gap_mm - width;
+    /// A set-up that machines the outside from `machined_from_z` and the bore from `bored_from_z`, of `stock` from `from_z`.
+    fn setup(&self, machine: &Machine, chuck_face_z: f64, [machined_from_z, bored_from_z, from_z]: [f64; 3]) -> Setup {
+        let to_z = self.length + self.facing;
+        let held = held(self.holding, machine, chuck_face_z, from_z, to_z);
+        let bored_from_z = self.bored_from(bored_from_z);
         Setup {
             suffix: String::new(),
-            profile: self.with_end_face(pieces),
-            threads: self.threads.clone(),
-            machined_from_z: -width,
+            profile: self.with_end_face(self.pieces.clone()),
+            threads: clipped(&self.threads, machined_from_z, self.length),
+            machined_from_z,
+            bore: (!self.bore.is_empty()).then(|| Profile { pieces: self.bore.clone() }),
+            bore_threads: clipped(&self.bore_threads, bored_from_z, self.length),
+            bored_from_z,
             length: self.length,
             bar_radius: self.bar_radius,
-            stock: bar(chuck_face_z - machine.chuck.depth_mm, self.length, self.bar_radius),
-            chuck_face_z,
-            part_off_width: part_off.then_some(width),
+            stock: stock::bar(from_z, to_z, self.bar_radius, self.hole_radius),
+            holding: self.holding,
+            directions: held.directions,
+            chuck_face_z: held.chuck_face_z,
+            mandrel: held.mandrel,
+            tailstock: held.tailstock,
+            part_off_width: None,
             turned_round: false,
+        }
+    }
+
+    fn one_end(mut self, machine: &Machine, part_off: bool) -> Setup {
+        let width = if part_off { PART_OFF_WIDTH_MM } else { 0.0 };
+        if part_off {
+            self.extend_into_cut(width);
+        }
+        let chuck_face_z = -machine.chuck.gap_mm - width;
+        let from_z = match self.holding {
+            Holding::Chuck => chuck_face_z - machine.chuck.depth_mm,
+            Holding::BetweenCentres => -width,
+        };
+        let setup = self.setup(machine, chuck_face_z, [-width, f64::NEG_INFINITY, from_z]);
+        Setup { part_off_width: part_off.then_some(width), ..setup }
+    }
+
+    /// Lets outside and bore run on through the cut that parts the piece off.
+    fn extend_into_cut(&mut self, width: f64) {
+        for pieces in [&mut self.pieces, &mut self.bore] {
+            if let Some(first) = pieces.first().copied().filter(|first| first.start().z <= shape::SAME_PLACE_MM) {
+                let curve = Curve::line(Point::new(-width, first.start().r), first.start());
+                pieces.insert(0, Piece { curve, section: first.section, role: PieceRole::Surface });
+            }
         }
     }
 
     fn first_end(&self, machine: &Machine, split: f64) -> Setup {
-        Setup {
-            suffix: "A".to_owned(),
-            profile: self.with_end_face(self.pieces.clone()),
-            threads: clipped(&self.threads, split, self.length),
-            machined_from_z: split,
-            length: self.length,
-            bar_radius: self.bar_radius,
-            stock: bar(0.0, self.length, self.bar_radius),
-            chuck_face_z: split - machine.chuck.gap_mm,
-            part_off_width: None,
-            turned_round: false,
-        }
+        let chuck_face_z = split - machine.chuck.gap_mm;
+        let setup = self.setup(machine, chuck_face_z, [split, self.bored_first_from(), -self.facing]);
+        Setup { suffix: "A".to_owned(), ..setup }
     }
 
     fn second_end(&self, machine: &Machine, split: f64) -> Setup {
-        let turned = Self {
-            pieces: self.pieces.iter().rev().map(|piece| piece.turned_round(self.length)).collect(),
-            threads: self.threads.iter().rev().map(|thread| thread.turned_round(self.length)).collect(),
-            walls: self.walls.iter().rev().map(|wall| turned_round(wall, self.length)).collect(),
-            ..*self
-        };
+        let turned = self.turned_round();
         let machined_from_z = self.length - split;
+        let chuck_face_z = machined_from_z - machine.chuck.gap_mm;
+        let bored_before = self.length - self.bored_from(self.bored_first_from());
+        let bored_from_z = bore::narrowest(&self.bore).map_or(0.0, |(low, ..)| self.length - low);
+        let to_z = self.length + self.facing;
+        let outside = stock::half_finished(&turned.pieces, machined_from_z, 0.0, to_z, self.bar_radius);
+        let inside = stock::half_finished(&turned.bore, bored_before, 0.0, to_z, self.hole_radius);
         Setup {
             suffix: "B".to_owned(),
-            threads: clipped(&turned.threads, machined_from_z, self.length),
-            machined_from_z,
-            stock: turned.half_finished(machined_from_z),
-            profile: turned.with_end_face(turned.pieces.clone()),
-            length: self.length,
-            bar_radius: self.bar_radius,
-            chuck_face_z: machined_from_z - machine.chuck.gap_mm,
-            part_off_width: None,
+            stock: stock::body(outside, inside),
             turned_round: true,
+            ..turned.setup(machine, chuck_face_z, [machined_from_z, bored_from_z, 0.0])
         }
     }
 
-    /// The profile of pieces with a face down to the axis at the free end.
+    /// The same part in the space of its other end.
+    fn turned_round(&self) -> Self {
+        let pieces = |pieces: &[Piece]| pieces.iter().rev().map(|piece| piece.turned_round(self.length)).collect();
+        let threads =
+            |threads: &[ThreadSpec]| threads.iter().rev().map(|thread| thread.turned_round(self.length)).collect();
+        Self {
+            pieces: pieces(&self.pieces),
+            threads: threads(&self.threads),
+            walls: self.walls.iter().rev().map(|wall| turned_round(wall, self.length)).collect(),
+            bore: pieces(&self.bore),
+            bore_threads: threads(&self.bore_threads),
+            ..*self
+        }
+    }
+
+    /// Where the first of two clampings ends to bore: behind the narrowest place, or in front of a web.
+    fn bored_first_from(&self) -> f64 {
+        bore::narrowest(&self.bore).map_or(0.0, |(low, high, r)| if r > shape::SAME_PLACE_MM { low } else { high })
+    }
+
+    /// Where the bore of this set-up begins that reaches from `z` to the free end: `z`, but not before the bore itself, or
+    /// the length of the part if the bore does not come out there.
+    fn bored_from(&self, z: f64) -> f64 {
+        let first = self.bore.first().map_or(self.length, |piece| piece.start().z);
+        let last = self.bore.last().map(Piece::end);
+        if bore::is_open_at(last, self.length) { z.max(first) } else { self.length }
+    }
+
+    /// The profile of pieces with a face at the free end, down to the bore or to the axis.
     fn with_end_face(&self, mut pieces: Vec<Piece>) -> Profile {
         if let Some(last) = pieces.last().copied() {
-            pieces.extend(faces(&self.walls, last.end(), 0.0, last.section));
+            let bore = self.bore.last().map(Piece::end).filter(|&end| bore::is_open_at(Some(end), self.length));
+            let to_r = bore.map_or(0.0, |end| end.r.min(last.end().r));
+            pieces.extend(faces(&self.walls, last.end(), to_r, last.section));
         }
         Profile { pieces }
-    }
-
-    /// Outline of the material with its finished outside up to `z` and the bar beyond.
-    fn half_finished(&self, z: f64) -> Contour {
-        let finished = self.pieces.iter().filter(|piece| piece.start().z < z).map(|piece| {
-            let end_z = piece.end().z.min(z);
-            if end_z < piece.end().z {
-                Piece { curve: piece.curve.between(piece.start().z, end_z), ..*piece }
-            } else {
-                *piece
-            }
-        });
-        let profile = Profile { pieces: finished.collect() };
-        let mut outside = contour(&profile, STOCK_TOLERANCE_MM).contour.segments;
-        let last = outside.last().map_or(Point::new(z, 0.0), Segment::end);
-        let corner = Point::new(z, self.bar_radius);
-        outside.push(Segment::line(last, corner));
-        outside.push(Segment::line(corner, Point::new(self.length, self.bar_radius)));
-        closed_on_axis(outside)
     }
 }
 
@@ -156,68 +201,12 @@ fn turned_round(wall: &Section, length: f64) -> Section {
     Section { z1: length - wall.z2, d1: wall.d2, z2: length - wall.z1, d2: wall.d1, ..wall.clone() }
 }
 
-/// The bar from `z1` to `z2`, counter-clockwise.
-fn bar(z1: f64, z2: f64, radius: f64) -> Contour {
-    closed_on_axis(vec![Segment::line(Point::new(z1, radius), Point::new(z2, radius))])
-}
-
-/// The outline of the body under `outside` (z growing), counter-clockwise, closed along the axis.
-fn closed_on_axis(outside: Vec<Segment>) -> Contour {
-    let on_axis = |p: Point| p.r <= shape::SAME_PLACE_MM;
-    let body: Vec<Segment> = outside
-        .into_iter()
-        .skip_while(|s| on_axis(s.start()) && on_axis(s.end()))
-        .filter(|s| s.start() != s.end())
-        .collect();
-    let (Some(first), Some(last)) = (body.first().map(Segment::start), body.last().map(Segment::end)) else {
-        return Contour::default();
-    };
-    let corners = [first, Point::new(first.z, 0.0), Point::new(last.z, 0.0), last];
-    let rest = corners.iter().zip(corners.iter().skip(1)).map(|(&a, &b)| Segment::line(a, b));
-    let mut segments: Vec<Segment> = rest.filter(|s| s.start() != s.end()).collect();
-    segments.extend(body.iter().rev().map(Segment::reversed));
-    Contour::new(segments)
-}
-
-/// Threads of all usable thread rows, in order of position, within the part.
-fn threads(part: &TurnedPart, length: f64) -> Vec<ThreadSpec> {
-    let mut threads: Vec<ThreadSpec> = part
-        .sections
-        .iter()
-        .filter_map(|section| match section.kind {
-            SectionKind::Thread { pitch } if pitch > 0.0 && is_usable(pitch) && shape::curve(section).is_ok() => {
-                Some(ThreadSpec {
-                    section: section.id,
-                    z1: section.z1,
-                    z2: section.z2,
-                    outside_radius: section.d1 / 2.0,
-                    base_radius: section.d2 / 2.0,
-                    pitch,
-                })
-            }
-            _ => None,
-        })
-        .collect();
-    threads.sort_by(|a, b| a.z1.total_cmp(&b.z1));
-    clipped(&threads, 0.0, length)
-}
-
-/// What of the threads lies between `from` and `to`.
-fn clipped(threads: &[ThreadSpec], from: f64, to: f64) -> Vec<ThreadSpec> {
-    let inside = threads.iter().map(|t| ThreadSpec { z1: t.z1.max(from), z2: t.z2.min(to), ..*t });
-    inside.filter(|t| t.z2 - t.z1 > shape::SAME_PLACE_MM).collect()
-}
-
-impl ThreadSpec {
-    fn turned_round(&self, length: f64) -> Self {
-        Self { z1: length - self.z2, z2: length - self.z1, ..*self }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::part::fixtures;
+    use crate::geometry::Contour;
+    use crate::machine::Catalog;
+    use crate::part::{SectionKind, contour, fixtures};
 
     fn made(part: &TurnedPart) -> (Vec<Setup>, Vec<Diagnostic>) {
         setups(part, &fixtures::orac())
@@ -252,7 +241,7 @@ mod tests {
         assert_eq!(setup.profile.pieces[0].start(), Point::new(-3.0, 12.5));
         assert_eq!(setup.profile.pieces.last().unwrap().end(), Point::new(40.0, 0.0));
         let [thread] = setup.threads.as_slice() else { panic!("one thread") };
-        assert_eq!((thread.z1, thread.z2, thread.outside_radius, thread.base_radius), (28.0, 40.0, 6.0, 5.0));
+        assert_eq!((thread.z1, thread.z2, thread.crest_radius, thread.base_radius), (28.0, 40.0, 6.0, 5.0));
     }
 
     #[test]
@@ -299,6 +288,90 @@ mod tests {
         assert_eq!((setups[0].threads[0].z1, setups[1].threads[0].z2), (34.0, 12.0));
     }
 
+    /// A sleeve of 40 mm with a counterbore at either end of its 10 mm hole.
+    fn sleeve() -> TurnedPart {
+        let bore = vec![
+            Section::line(2, 0.0, 16.0, 8.0, 16.0),
+            Section::line(3, 8.0, 10.0, 30.0, 10.0),
+            Section::line(4, 30.0, 20.0, 40.0, 20.0),
+        ];
+        TurnedPart { bore, ..fixtures::part(40.0, vec![Section::line(1, 0.0, 26.2, 40.0, 26.2)]) }
+    }
+
+    fn inside_of(stock: &Contour, z: f64) -> f64 {
+        let points = stock.polyline(0.01);
+        let pairs = points.iter().zip(points.iter().skip(1)).filter(|(a, b)| a.z < z && b.z > z);
+        pairs.map(|(a, b)| a.r + (b.r - a.r) * (z - a.z) / (b.z - a.z)).fold(f64::INFINITY, f64::min)
+    }
+
+    #[test]
+    fn a_bore_is_machined_from_both_ends_down_to_its_narrowest_place() {
+        let (setups, _) = made(&two_ends(sleeve(), Some(20.0)));
+        let [a, b] = setups.as_slice() else { panic!("two set-ups") };
+        assert_eq!((a.bored_from_z, b.bored_from_z), (8.0, 32.0));
+        assert_eq!(a.profile.pieces.last().unwrap().end(), Point::new(40.0, 10.0));
+        assert_eq!(b.profile.pieces.last().unwrap().end(), Point::new(40.0, 8.0));
+        assert_eq!(b.bore.as_ref().unwrap().pieces[0].start(), Point::new(0.0, 10.0));
+        assert_eq!((inside_of(&a.stock, 20.0), inside_of(&b.stock, 5.0)), (0.0, 10.0));
+        assert_eq!((inside_of(&b.stock, 20.0), inside_of(&b.stock, 36.0)), (5.0, 0.0));
+    }
+
+    #[test]
+    fn a_blind_hole_is_machined_from_its_open_end_alone() {
+        let mut part = sleeve();
+        part.bore = vec![Section::line(2, 25.0, 10.0, 40.0, 10.0)];
+        let (setups, _) = made(&two_ends(part.clone(), Some(20.0)));
+        assert_eq!((setups[0].bored_from_z, setups[1].bored_from_z), (25.0, 40.0));
+        part.bore = vec![Section::line(2, 0.0, 10.0, 15.0, 10.0)];
+        let (setups, _) = made(&two_ends(part, Some(20.0)));
+        assert_eq!((setups[0].bored_from_z, setups[1].bored_from_z), (40.0, 25.0));
+        assert_eq!(inside_of(&setups[1].stock, 5.0), 0.0);
+    }
+
+    #[test]
+    fn parting_off_lets_the_bore_run_through_the_cut() {
+        let (setups, _) = made(&TurnedPart { part_off: true, ..sleeve() });
+        assert_eq!(setups[0].bore.as_ref().unwrap().pieces[0].start(), Point::new(-3.0, 8.0));
+        assert_eq!(setups[0].bored_from_z, -3.0);
+    }
+
+    #[test]
+    fn threads_of_the_bore_are_apart_from_those_outside() {
+        let mut part = sleeve();
+        part.bore[2].kind = SectionKind::Thread { pitch: 1.5, starts: 2 };
+        part.bore[2].d2 = 21.6;
+        let setup = made(&part).0.remove(0);
+        assert!(setup.threads.is_empty());
+        let [thread] = setup.bore_threads.as_slice() else { panic!("one thread") };
+        assert_eq!((thread.crest_radius, thread.base_radius, thread.lead()), (10.0, 10.8, 3.0));
+    }
+
+    #[test]
+    fn a_tube_keeps_its_hole_and_its_material_for_facing() {
+        let part = TurnedPart { bore: vec![], stock_bore_diameter: 12.0, facing_allowance: 1.5, ..sleeve() };
+        let setup = made(&part).0.remove(0);
+        let stock = setup.stock.bounds().unwrap();
+        assert_eq!((stock.min.r, stock.max.z), (6.0, 41.5));
+        assert_eq!(setup.bore.unwrap().radius_at(20.0), Some(6.0));
+        let (setups, _) = made(&two_ends(part, Some(20.0)));
+        let ends: Vec<_> = setups.iter().map(|s| s.stock.bounds().unwrap()).map(|b| (b.min.z, b.max.z)).collect();
+        assert_eq!(ends, [(-1.5, 41.5), (0.0, 41.5)]);
+    }
+
+    #[test]
+    fn between_centres_both_directions_may_be_cut_and_the_tailstock_stands_at_the_free_end() {
+        let machine = Catalog::shipped().machine("mori-fanuc-6t").unwrap().clone();
+        let part = TurnedPart { holding: Holding::BetweenCentres, facing_allowance: 2.0, bore: vec![], ..sleeve() };
+        let setup = setups(&part, &machine).0.remove(0);
+        assert!(setup.may_cut_both_ways());
+        assert_eq!(setup.stock.bounds().unwrap().min.z, 0.0);
+        assert_eq!(setup.tailstock.as_ref().unwrap().bounds().unwrap().min.z, 42.0);
+        let mandrel = setup.mandrel.as_ref().unwrap().bounds().unwrap();
+        assert_eq!((mandrel.max.z, mandrel.min.z), (0.0, setup.chuck_face_z));
+        let chucked = setups(&TurnedPart { holding: Holding::Chuck, ..part }, &machine).0.remove(0);
+        assert!(!chucked.may_cut_both_ways() && chucked.tailstock.is_none());
+    }
+
     #[test]
     fn a_part_without_length_has_no_setups() {
         assert!(made(&fixtures::part(f64::NAN, vec![])).0.is_empty());
@@ -331,7 +404,7 @@ mod tests {
                 0 => SectionKind::Line,
                 1 => SectionKind::Concave { radius: a },
                 2 => SectionKind::Convex { radius: a },
-                3 => SectionKind::Thread { pitch: a },
+                3 => SectionKind::Thread { pitch: a, starts: chords },
                 4 => SectionKind::ParabolaAlongZ { z3: a, d3: b, chords },
                 _ => SectionKind::ParabolaAlongX { z3: a, d3: b, chords },
             })
@@ -347,18 +420,34 @@ mod tests {
             fn any_part()(
                 rows in proptest::collection::vec(row(), 0..12),
                 length in figure(),
+                bore in proptest::collection::vec(row(), 0..6),
                 split in proptest::option::of(figure()),
                 two in any::<bool>(),
                 part_off in any::<bool>(),
+                between in any::<bool>(),
+                stock_bore_diameter in prop_oneof![Just(0.0), figure()],
+                facing_allowance in prop_oneof![Just(0.0), figure()],
             ) -> TurnedPart {
-                let mut part = fixtures::part(length, rows);
-                (1..).zip(&mut part.sections).for_each(|(id, row)| row.id = id);
-                TurnedPart { part_off, ends: if two { Ends::Two { split } } else { Ends::One }, ..part }
+                let mut part = TurnedPart { bore, stock_bore_diameter, facing_allowance, ..fixtures::part(length, rows) };
+                (1..).zip(part.sections.iter_mut().chain(&mut part.bore)).for_each(|(id, row)| row.id = id);
+                let holding = if between { Holding::BetweenCentres } else { Holding::Chuck };
+                TurnedPart { part_off, holding, ends: if two { Ends::Two { split } } else { Ends::One }, ..part }
             }
         }
 
         fn assert_sound(setup: &Setup) {
-            let profile = &setup.profile;
+            assert_chain(&setup.profile, setup);
+            if let Some(bore) = &setup.bore {
+                assert_chain(bore, setup);
+            }
+            let stock = &setup.stock;
+            assert_that(stock.largest_gap() <= 1e-9, "stock connected", setup);
+            let (first, last) = (stock.segments.first(), stock.segments.last());
+            let closed = first.zip(last).is_none_or(|(a, b)| a.start().distance(b.end()) <= 1e-9);
+            assert_that(closed && stock.polyline(0.01).iter().all(|p| p.is_finite()), "stock closed, finite", setup);
+        }
+
+        fn assert_chain(profile: &Profile, setup: &Setup) {
             for pair in profile.pieces.windows(2) {
                 assert_that(pair[0].end().distance(pair[1].start()) <= 1e-9, "connected", setup);
             }
@@ -369,7 +458,6 @@ mod tests {
             assert_that(contour.contour.largest_gap() <= 1e-9, "contour connected", setup);
             let points = contour.contour.polyline(0.01);
             assert_that(points.iter().all(|p| p.is_finite()), "contour finite", setup);
-            assert_that(setup.stock.polyline(0.01).iter().all(|p| p.is_finite()), "stock finite", setup);
         }
 
         fn assert_that(holds: bool, what: &str, setup: &Setup) {

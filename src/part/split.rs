@@ -1,7 +1,7 @@
 //! The position that divides a part machined at both ends.
 
 use super::shape::{SAME_PLACE_MM, is_usable};
-use crate::diagnostic::{Column, Diagnostic, Place};
+use crate::diagnostic::{Column, Diagnostic, Place, SectionTable};
 use crate::document::{Ends, TurnedPart};
 use crate::machine::Machine;
 
@@ -77,7 +77,8 @@ fn cut_threads(part_mm: &TurnedPart, split: f64) -> Vec<Diagnostic> {
     rows.filter(|(_, s)| matches!(s.kind, crate::part::SectionKind::Thread { .. }))
         .filter(|(_, s)| s.z1 < split - SAME_PLACE_MM && s.z2 > split + SAME_PLACE_MM)
         .map(|(index, s)| {
-            let at = Place::Section { id: s.id, row: index + 1, column: Some(Column::Z1) };
+            let at =
+                Place::Section { id: s.id, table: SectionTable::Outside, row: index + 1, column: Some(Column::Z1) };
             let message = format!(
                 "The thread from {:.3} mm to {:.3} mm runs over the split point at {split:.3} mm; it cannot be cut in \
                  two clampings.",

@@ -38,6 +38,7 @@ pub struct Cache {
 #[derive(Debug, Default)]
 pub(super) struct SetupCache {
     pub(super) contour: Stage<Profile, PartContour>,
+    pub(super) bore: Stage<Option<Profile>, Option<PartContour>>,
     pub(super) unreachable: Stage<(Arc<Setup>, Arc<Tools>), Vec<UnreachableArea>>,
     pub(super) program: ProgramCache,
 }

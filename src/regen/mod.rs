@@ -10,9 +10,9 @@ use crate::cancel::{Cancel, Cancelled};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::{Content, Document, Generator, ProgramChoices, TurnedPart};
 use crate::machine::{self, Catalog, Machine, Material, ToolOutline};
-use crate::part::{self, PartContour, Setup, UnreachableArea};
+use crate::part::{self, PartContour, Setup, ThreadSpec, UnreachableArea};
 use crate::post::{self, PostOutput};
-use crate::proof::{self, MayCut, ProgramText, ProofInput, ProofReport, Target, Work};
+use crate::proof::{self, BoreTarget, MayCut, ProgramText, ProofInput, ProofReport, Target, Work};
 use crate::turning::{self, CutterPath};
 use crate::units::Unit;
 pub use cache::{Cache, StageRuns};
@@ -43,6 +43,8 @@ pub struct SetupDerived {
     pub setup: Arc<Setup>,
     /// The profile as lines and arcs.
     pub contour: Arc<PartContour>,
+    /// The bore as lines and arcs, if there is one.
+    pub bore: Arc<Option<PartContour>>,
     /// Areas that the tools cannot reach.
     pub unreachable: Arc<Vec<UnreachableArea>>,
     /// Cutter location data.
@@ -138,6 +140,8 @@ fn regenerate_setup(
 ) -> Result<SetupDerived, Cancelled> {
     let name = format!("{}{}", context.name, setup.suffix);
     let contour = stages.contour.get(setup.profile.clone(), |p| part::contour(p, CONTOUR_TOLERANCE_MM));
+    let bore = stages.bore.get(setup.bore.clone(), |p| p.as_ref().map(|p| part::contour(p, CONTOUR_TOLERANCE_MM)));
+    let shape = Shape { contour: &contour, bore: bore.as_ref().as_ref() };
     let reach = &mut stages.unreachable;
     let program = &mut stages.program;
     // Side by side, for neither needs the other and a drag waits for both.
@@ -147,13 +151,13 @@ fn regenerate_setup(
                 part::unreachable(setup, tools, &context.machine)
             })
         },
-        || prove_setup(context, &name, setup, &contour, program, cancel),
+        || prove_setup(context, &name, setup, shape, program, cancel),
     );
     let Proved { path, said, post, programs, proof } = proved?;
     add_new(diagnostics, &said);
     add_new(diagnostics, &post.diagnostics);
     let (setup, tools) = (Arc::clone(setup), Arc::clone(&context.tools));
-    Ok(SetupDerived { name, setup, contour, unreachable, path, post, programs, proof, tools })
+    Ok(SetupDerived { name, setup, contour, bore, unreachable, path, post, programs, proof, tools })
 }
 
 /// What becomes of one clamping between its geometry and its proof.
@@ -170,7 +174,7 @@ fn prove_setup(
     context: &Context,
     name: &str,
     setup: &Arc<Setup>,
-    contour: &PartContour,
+    shape: Shape<'_>,
     stages: &mut ProgramCache,
     cancel: &Cancel,
 ) -> Result<Proved, Cancelled> {
@@ -193,7 +197,7 @@ fn prove_setup(
         machine: Arc::clone(machine),
         tools: Arc::clone(tools),
         programs: Arc::clone(&programs),
-        work: Some(work_of(part_mm, setup, contour, &path, part_mm.form_tolerance)),
+        work: Some(work_of(part_mm, setup, shape, &path, part_mm.form_tolerance)),
     };
     let proof = stages.proof.try_get(input, |input| proof::prove(input, cancel))?;
     Ok(Proved { path, said, post, programs, proof })
@@ -246,50 +250,70 @@ fn with_overrides(post: &PostOutput, part: &TurnedPart) -> Vec<ProgramText> {
 pub fn proof_input(derived: &Derived, item: &SetupDerived) -> Option<ProofInput> {
     let Content::TurnedPart(part) = &derived.document.content;
     let form_tolerance_mm = part.form_tolerance * derived.document.unit.in_mm();
+    let shape = Shape { contour: &item.contour, bore: item.bore.as_ref().as_ref() };
     Some(ProofInput {
         machine: Arc::clone(derived.machine.as_ref()?),
         tools: Arc::clone(&item.tools),
         programs: Arc::clone(&item.programs),
-        work: Some(work_of(part, &item.setup, &item.contour, &item.path, form_tolerance_mm)),
+        work: Some(work_of(part, &item.setup, shape, &item.path, form_tolerance_mm)),
     })
 }
 
-fn work_of(part: &TurnedPart, setup: &Setup, contour: &PartContour, path: &CutterPath, form_tolerance_mm: f64) -> Work {
+/// What the finished part looks like.
+#[derive(Clone, Copy)]
+struct Shape<'a> {
+    contour: &'a PartContour,
+    bore: Option<&'a PartContour>,
+}
+
+fn work_of(part: &TurnedPart, setup: &Setup, shape: Shape<'_>, path: &CutterPath, form_tolerance_mm: f64) -> Work {
+    let bore = shape.bore.map(|bore| BoreTarget {
+        contour: bore.contour.clone(),
+        sections: bore.sections.clone(),
+        machined_from_z: setup.bored_from_z,
+        may_cut: threads(&setup.bore_threads).collect(),
+    });
     Work {
         stock: setup.stock.clone(),
         target: Target {
-            contour: contour.contour.clone(),
-            sections: contour.sections.clone(),
+            contour: shape.contour.contour.clone(),
+            sections: shape.contour.sections.clone(),
             names: section_names(part),
             machined_from_z: setup.machined_from_z,
-            bore: None,
+            bore,
         },
         program_zero_z: path.program_zero_z,
         chuck_face_z: setup.chuck_face_z,
-        mandrel: None,
-        tailstock: None,
+        mandrel: setup.mandrel.clone(),
+        tailstock: setup.tailstock.clone(),
         form_tolerance_mm,
         may_cut: may_cut(setup),
     }
 }
 
-/// What a row is called in a message: its type and its number in the table, `line 3`.
+/// What a row is called in a message: its type and its number in the table, `line 3`, `bore line 2`.
 fn section_names(part: &TurnedPart) -> BTreeMap<u32, String> {
-    (1..).zip(&part.sections).map(|(row, s)| (s.id, format!("{} {row}", s.kind.name()))).collect()
+    let outside = (1..).zip(&part.sections).map(|(row, s)| (s.id, format!("{} {row}", s.kind.name())));
+    let bore = (1..).zip(&part.bore).map(|(row, s)| (s.id, format!("bore {} {row}", s.kind.name())));
+    outside.chain(bore).collect()
 }
 
 /// Threads go below the contour by design, with their run-in and run-out, and so does the parting-off.
 fn may_cut(setup: &Setup) -> Vec<MayCut> {
+    let groove = setup.part_off_width.map(|width| MayCut { z1: -width, z2: 0.0, radius: 0.0 });
+    threads(&setup.threads).chain(groove).collect()
+}
+
+/// Where threads go beyond the contour.
+fn threads(threads: &[ThreadSpec]) -> impl Iterator<Item = MayCut> {
     /// A threading point reaches this many pitches beyond the end of its thread, and comes in from further out.
     const RUN_OUT_PITCHES: f64 = 1.0;
     const RUN_IN_PITCHES: f64 = 3.0;
-    let threads = setup.threads.iter().map(|t| MayCut {
-        z1: t.z1 - RUN_OUT_PITCHES * t.pitch,
-        z2: t.z2 + RUN_IN_PITCHES * t.pitch,
+    threads.iter().map(|t| MayCut {
+        z1: t.z1 - RUN_OUT_PITCHES * t.lead(),
+        z2: t.z2 + RUN_IN_PITCHES * t.lead(),
         radius: t.base_radius,
-    });
-    let groove = setup.part_off_width.map(|width| MayCut { z1: -width, z2: 0.0, radius: 0.0 });
-    threads.chain(groove).collect()
+    })
 }
 
 fn no_such_machine(part: &TurnedPart, catalog: &Catalog) -> Diagnostic {

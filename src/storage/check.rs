@@ -1,9 +1,9 @@
 //! What every document on disk fulfils. Checked when a document is read and before it is written, so that whatever was
 //! saved can be opened again. Whether the part can be made is a question for the part's own checks, not for this one.
 
-use crate::diagnostic::{Column, Place};
+use crate::diagnostic::{Column, Place, SectionTable};
 use crate::document::{Content, Document, Ends, FORMAT_VERSION, ParabolaCut, TurnedPart};
-use crate::part::{Section, SectionKind};
+use crate::part::{STARTS, Section, SectionKind};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
@@ -69,6 +69,8 @@ fn part_faults(part: &TurnedPart, faults: &mut Vec<Fault>) {
         if let ParabolaCut::Arcs { tolerance } = part.generator.parabolas() { Some(tolerance) } else { None };
     for (key, at, value) in [
         ("bar_diameter", Place::Stock, part.bar_diameter),
+        ("stock_bore_diameter", Place::Stock, part.stock_bore_diameter),
+        ("facing_allowance", Place::Stock, part.facing_allowance),
         ("length", Place::Document, part.length),
         ("form_tolerance", Place::Document, part.form_tolerance),
         ("ends.split", Place::Document, split.unwrap_or(0.0)),
@@ -82,28 +84,53 @@ fn part_faults(part: &TurnedPart, faults: &mut Vec<Fault>) {
             add(key, Place::Document, format!("The tolerance is {value}; it must be a number greater than 0."));
         }
     }
-    let rows = part.sections.len();
-    if rows > MOST_SECTIONS {
-        add("sections", Place::Document, format!("The table has {rows} rows; the limit is {MOST_SECTIONS}."));
+    let mut rows_by_id = BTreeMap::new();
+    for (key, table, rows) in
+        [("sections", SectionTable::Outside, &part.sections), ("bore", SectionTable::Bore, &part.bore)]
+    {
+        if rows.len() > MOST_SECTIONS {
+            let path = format!("content.turned_part.{key}");
+            let message = format!("The table has {} rows; the limit is {MOST_SECTIONS}.", rows.len());
+            faults.push(Fault { path, at: Place::Document, message });
+        }
+        section_faults(key, table, rows, &mut rows_by_id, faults);
     }
-    section_faults(&part.sections, faults);
 }
 
-fn section_faults(sections: &[Section], faults: &mut Vec<Fault>) {
-    let mut rows_by_id = BTreeMap::new();
+/// Faults of the rows of one table. Ids are unique over both tables; `rows_by_id` knows the rows before.
+fn section_faults(
+    list: &str,
+    table: SectionTable,
+    sections: &[Section],
+    rows_by_id: &mut BTreeMap<u32, String>,
+    faults: &mut Vec<Fault>,
+) {
     for (i, section) in sections.iter().enumerate() {
         let row = i + 1;
         let mut add = |key: &str, column: Option<Column>, message: String| {
-            let at = Place::Section { id: section.id, row, column };
-            faults.push(Fault { path: format!("content.turned_part.sections.{i}.{key}"), at, message });
+            let at = Place::Section { id: section.id, table, row, column };
+            faults.push(Fault { path: format!("content.turned_part.{list}.{i}.{key}"), at, message });
         };
-        if let Some(first) = rows_by_id.insert(section.id, row) {
-            add("id", None, format!("Rows {first} and {row} have the same id, {}; every row has its own.", section.id));
+        let name = format!("{table} {row}");
+        if let Some(first) = rows_by_id.insert(section.id, name.clone()) {
+            let message =
+                format!("There are {first} and {name} with the same id, {}; every row has its own.", section.id);
+            add("id", None, message);
         }
         for (key, column, value) in lengths(section) {
             if !value.is_finite() {
                 add(key, Some(column), not_finite(value));
             }
+        }
+        if let SectionKind::Thread { starts, .. } = section.kind
+            && !STARTS.contains(&starts)
+        {
+            let (least, most) = (STARTS.start(), STARTS.end());
+            add(
+                "starts",
+                Some(Column::Starts),
+                format!("The thread has {starts} starts; it must have {least} to {most}."),
+            );
         }
         if let Some(chords) = chords(section).filter(|c| !CHORDS.contains(c)) {
             let (least, most) = (CHORDS.start(), CHORDS.end());
@@ -133,7 +160,7 @@ fn lengths(section: &Section) -> Vec<(&'static str, Column, f64)> {
         SectionKind::Concave { radius } | SectionKind::Convex { radius } => {
             lengths.push(("radius", Column::Radius, radius));
         }
-        SectionKind::Thread { pitch } => lengths.push(("pitch", Column::Pitch, pitch)),
+        SectionKind::Thread { pitch, .. } => lengths.push(("pitch", Column::Pitch, pitch)),
         SectionKind::ParabolaAlongZ { z3, d3, .. } | SectionKind::ParabolaAlongX { z3, d3, .. } => {
             lengths.extend([("z3", Column::Z3, z3), ("d3", Column::D3, d3)]);
         }

@@ -226,8 +226,8 @@ impl Formatter for Layout {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{Content, Ends, Generator, ParabolaCut};
-    use crate::part::SectionKind;
+    use crate::document::{Content, Ends, Generator, Holding, ParabolaCut};
+    use crate::part::{Section, SectionKind};
     use crate::storage::examples;
 
     fn queen_text() -> &'static str {
@@ -250,6 +250,25 @@ mod tests {
             assert_eq!(part.generator, generator);
             assert_eq!(part.overrides["OLD1"], "INC\nMM\n");
         }
+    }
+
+    #[test]
+    fn a_bore_is_saved_one_section_a_line_and_its_rows_have_ids_of_their_own() {
+        let mut document = queen();
+        let Content::TurnedPart(part) = &mut document.content;
+        part.bore = vec![Section::line(501, 0.0, 3.0, 20.0, 3.0), Section::line(502, 20.0, 4.0, 56.0, 4.0)];
+        part.bore[1].kind = SectionKind::Thread { pitch: 0.5, starts: 2 };
+        (part.facing_allowance, part.stock_bore_diameter, part.holding) = (1.5, 2.0, Holding::BetweenCentres);
+        let text = document_to_text(&document).unwrap();
+        let rows: Vec<&str> = text.lines().filter(|line| line.contains("\"id\": 50")).collect();
+        assert_eq!(rows.len(), 2);
+        assert!(rows[1].contains("\"starts\": 2") && !rows[0].contains("starts"), "{text}");
+        assert_eq!(document_from_text("bored.turn", &text).unwrap(), document);
+        let twice = text.replace("\"id\": 502", "\"id\": 3");
+        let fault = document_from_text("bored.turn", &twice).unwrap_err().remove(0);
+        assert!(fault.message.contains("section 3 and bore section 2 with the same id, 3"), "{}", fault.message);
+        let many = text.replace("\"starts\": 2", "\"starts\": 25");
+        assert!(document_from_text("bored.turn", &many).unwrap_err()[0].message.contains("25 starts"));
     }
 
     #[test]
@@ -322,7 +341,7 @@ mod tests {
             "unknown field `x`",
         );
         assert_refused("\"form_tolerance\": 0.25", "\"form_tolerance\": 0", "document-value", "tolerance is 0;");
-        assert_refused("\"id\": 5,", "\"id\": 4,  ", "document-value", "Rows 4 and 5 have the same id, 4");
+        assert_refused("\"id\": 5,", "\"id\": 4,  ", "document-value", "section 4 and section 5 with the same id, 4");
         assert_refused("\"id\": 5,", "\"id\": -5,", "document-unreadable", "-5");
         assert_refused("\"name\": \"QUEEN\"", "\"name\": \"a/b\"", "document-value", "'/'");
         assert_refused("\"radius\": 30.0", "\"radius\": null", "document-unreadable", "has no `radius`");

@@ -13,3 +13,11 @@ pub use crate::replace::replace_file;
 pub use document::{document_from_text, document_to_text, open_document, save_document};
 pub use examples::{Example, examples};
 pub use folders::{config_folder, data_folder};
+
+use std::path::{Path, PathBuf};
+
+/// The file of a bore's section table beside that of the outside: `NAME.bore.tsv` beside `NAME.tsv`.
+fn bore_beside(path: &Path) -> PathBuf {
+    let extension = path.extension().map(|e| e.to_string_lossy().into_owned()).unwrap_or_default();
+    path.with_extension(format!("bore.{extension}"))
+}

@@ -1,7 +1,8 @@
 //! Parts and set-ups made by hand for tests.
 
-use crate::document::{Ends, TurnedPart};
+use crate::document::{Ends, Holding, TurnedPart};
 use crate::geometry::{Contour, Point, Segment, Vector};
+use crate::machine::Directions;
 use crate::part::{PartContour, Profile, Section, SectionKind, Setup, ThreadSpec};
 use crate::proof::{BlockReport, Motion, Move, ProgramText, ProofReport, StockState};
 use crate::regen::SetupDerived;
@@ -34,7 +35,7 @@ pub(super) fn pawn() -> TurnedPart {
         section(1, 0.0, 24.0, 4.0, 24.0, SectionKind::Line),
         section(2, 4.0, 22.0, 16.0, 12.0, SectionKind::Concave { radius: 14.0 }),
         section(3, 16.0, 16.0, 28.0, 16.0, SectionKind::Convex { radius: 9.0 }),
-        section(4, 28.0, 12.0, 40.0, 10.2, SectionKind::Thread { pitch: 1.75 }),
+        section(4, 28.0, 12.0, 40.0, 10.2, SectionKind::Thread { pitch: 1.75, starts: 1 }),
     ];
     part(rows)
 }
@@ -57,10 +58,17 @@ pub(super) fn derived(part: &TurnedPart) -> SetupDerived {
         profile: Profile::default(),
         threads,
         machined_from_z: 0.0,
+        bore: None,
+        bore_threads: Vec::new(),
+        bored_from_z: length,
         length,
         bar_radius: bar,
         stock: Contour::polygon(&corners),
+        holding: Holding::Chuck,
+        directions: Directions::Both,
         chuck_face_z: -10.0,
+        mandrel: None,
+        tailstock: None,
         part_off_width: None,
         turned_round: false,
     };
@@ -68,6 +76,7 @@ pub(super) fn derived(part: &TurnedPart) -> SetupDerived {
         name: "SAMPLE".into(),
         setup: Arc::new(setup),
         contour: Arc::new(contour),
+        bore: Arc::default(),
         unreachable: Arc::default(),
         path: Arc::default(),
         post: Arc::default(),
@@ -96,9 +105,9 @@ fn surface(row: &Section, start: Point, end: Point) -> Segment {
 }
 
 fn thread(row: &Section) -> Option<ThreadSpec> {
-    let SectionKind::Thread { pitch } = row.kind else { return None };
-    let (outside_radius, base_radius) = (row.d1 / 2.0, row.d2 / 2.0);
-    Some(ThreadSpec { section: row.id, z1: row.z1, z2: row.z2, outside_radius, base_radius, pitch })
+    let SectionKind::Thread { pitch, starts } = row.kind else { return None };
+    let (crest_radius, base_radius) = (row.d1 / 2.0, row.d2 / 2.0);
+    Some(ThreadSpec { section: row.id, z1: row.z1, z2: row.z2, crest_radius, base_radius, pitch, starts })
 }
 
 /// The same with a program of four blocks: down, along, up and back.

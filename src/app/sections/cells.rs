@@ -29,12 +29,16 @@ pub(crate) fn kind_name(kind: &SectionKind) -> &'static str {
     KINDS.get(kind_index(kind)).copied().unwrap_or_default()
 }
 
-/// The columns that the rows need: the first five and the radius always, the others where a row has them.
+/// The columns that the rows need: the first five and the radius always, the others where a row has them, starts where a
+/// thread has several.
 #[must_use]
 pub(crate) fn columns(sections: &[Section]) -> Vec<Column> {
     let mut columns = vec![Column::Kind, Column::Z1, Column::D1, Column::Z2, Column::D2, Column::Radius];
     if sections.iter().any(|s| matches!(s.kind, SectionKind::Thread { .. })) {
         columns.push(Column::Pitch);
+    }
+    if sections.iter().any(|s| get(s, Column::Starts).is_some_and(|starts| starts > 1.0)) {
+        columns.push(Column::Starts);
     }
     if sections.iter().any(|s| get(s, Column::Z3).is_some()) {
         columns.extend([Column::Z3, Column::D3, Column::Chords]);
@@ -51,7 +55,8 @@ pub(crate) fn get(section: &Section, column: Column) -> Option<f64> {
         (Column::Z2, _) => Some(section.z2),
         (Column::D2, _) => Some(section.d2),
         (Column::Radius, SectionKind::Concave { radius } | SectionKind::Convex { radius }) => Some(*radius),
-        (Column::Pitch, SectionKind::Thread { pitch }) => Some(*pitch),
+        (Column::Pitch, SectionKind::Thread { pitch, .. }) => Some(*pitch),
+        (Column::Starts, SectionKind::Thread { starts, .. }) => Some(f64::from(*starts)),
         (Column::Z3, SectionKind::ParabolaAlongZ { z3, .. } | SectionKind::ParabolaAlongX { z3, .. }) => Some(*z3),
         (Column::D3, SectionKind::ParabolaAlongZ { d3, .. } | SectionKind::ParabolaAlongX { d3, .. }) => Some(*d3),
         (Column::Chords, SectionKind::ParabolaAlongZ { chords, .. } | SectionKind::ParabolaAlongX { chords, .. }) => {
@@ -66,7 +71,7 @@ pub(crate) fn get(section: &Section, column: Column) -> Option<f64> {
 pub(crate) fn text(section: &Section, column: Column, unit: Unit) -> String {
     match column {
         Column::Kind => kind_name(&section.kind).to_owned(),
-        Column::Chords => get(section, column).map(|chords| format!("{chords:.0}")).unwrap_or_default(),
+        Column::Chords | Column::Starts => get(section, column).map(|count| format!("{count:.0}")).unwrap_or_default(),
         _ => get(section, column).map(|v| super::super::plots::fixed(v, unit.decimals())).unwrap_or_default(),
     }
 }
@@ -82,7 +87,7 @@ pub(crate) fn set(section: &mut Section, column: Column, text: &str, unit: Unit)
             set_kind(section, kind);
             return Ok(());
         }
-        Column::Chords => return set_chords(section, text),
+        Column::Chords | Column::Starts => return set_count(section, column, text),
         _ => {}
     }
     let value = parse_length(text, unit)?;
@@ -93,7 +98,7 @@ pub(crate) fn set(section: &mut Section, column: Column, text: &str, unit: Unit)
         (Column::Z2, _) => &mut section.z2,
         (Column::D2, _) => &mut section.d2,
         (Column::Radius, SectionKind::Concave { radius } | SectionKind::Convex { radius }) => radius,
-        (Column::Pitch, SectionKind::Thread { pitch }) => pitch,
+        (Column::Pitch, SectionKind::Thread { pitch, .. }) => pitch,
         (Column::Z3, SectionKind::ParabolaAlongZ { z3, .. } | SectionKind::ParabolaAlongX { z3, .. }) => z3,
         (Column::D3, SectionKind::ParabolaAlongZ { d3, .. } | SectionKind::ParabolaAlongX { d3, .. }) => d3,
         _ => return Err(format!("A {name} has no {column}.")),
@@ -102,12 +107,15 @@ pub(crate) fn set(section: &mut Section, column: Column, text: &str, unit: Unit)
     Ok(())
 }
 
-fn set_chords(section: &mut Section, text: &str) -> Result<(), String> {
+fn set_count(section: &mut Section, column: Column, text: &str) -> Result<(), String> {
     let count =
-        text.trim().parse::<u32>().map_err(|_| format!("“{}” is not a whole number of chords.", text.trim()))?;
-    match &mut section.kind {
-        SectionKind::ParabolaAlongZ { chords, .. } | SectionKind::ParabolaAlongX { chords, .. } => *chords = count,
-        kind => return Err(format!("A {} has no chords.", kind_name(kind))),
+        text.trim().parse::<u32>().map_err(|_| format!("“{}” is not a whole number of {column}.", text.trim()))?;
+    match (column, &mut section.kind) {
+        (Column::Starts, SectionKind::Thread { starts, .. }) => *starts = count,
+        (Column::Chords, SectionKind::ParabolaAlongZ { chords, .. } | SectionKind::ParabolaAlongX { chords, .. }) => {
+            *chords = count
+        }
+        (_, kind) => return Err(format!("A {} has no {column}.", kind_name(kind))),
     }
     Ok(())
 }
@@ -132,10 +140,11 @@ pub(crate) fn set_kind(section: &mut Section, kind: usize) {
         SectionKind::ParabolaAlongZ { chords, .. } | SectionKind::ParabolaAlongX { chords, .. } => chords,
         _ => CHORDS,
     };
+    let starts = if let SectionKind::Thread { starts, .. } = section.kind { starts } else { 1 };
     section.kind = match kind {
         1 => SectionKind::Concave { radius },
         2 => SectionKind::Convex { radius },
-        3 => SectionKind::Thread { pitch: get(section, Column::Pitch).unwrap_or(1.0) },
+        3 => SectionKind::Thread { pitch: get(section, Column::Pitch).unwrap_or(1.0), starts },
         4 => SectionKind::ParabolaAlongZ { z3, d3, chords },
         5 => SectionKind::ParabolaAlongX { z3, d3, chords },
         _ => SectionKind::Line,

@@ -8,7 +8,7 @@ use crate::storage::import::tsv;
 use crate::units::Unit;
 
 /// All columns in the order of the text.
-pub(crate) const COLUMNS: [Column; 10] = [
+pub(crate) const COLUMNS: [Column; 11] = [
     Column::Kind,
     Column::Z1,
     Column::D1,
@@ -19,6 +19,7 @@ pub(crate) const COLUMNS: [Column; 10] = [
     Column::Z3,
     Column::D3,
     Column::Chords,
+    Column::Starts,
 ];
 
 /// Pastes `text` into the table at `row` and `column`. Lines that begin with a section type are whole rows from `row`

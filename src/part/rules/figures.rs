@@ -1,15 +1,18 @@
 //! Every figure must be a number that can be calculated with: a NaN would spread through everything derived.
 
-use crate::diagnostic::{Diagnostic, Place};
+use crate::diagnostic::{Diagnostic, Place, SectionTable};
 use crate::part::check::Table;
 use crate::part::shape::{LARGEST_FIGURE_MM, is_usable};
 
 /// Figures that are not numbers, infinite, or beyond what any lathe holds.
 pub(super) fn check(table: &Table<'_>) -> Vec<Diagnostic> {
     let rows = table.all_rows.iter().flat_map(|row| row.figures().into_iter().map(|(c, value)| (row.at(c), value)));
-    let stock = [table.part.bar_diameter, table.part.length].map(|value| (Place::Stock, value));
+    let part = &table.part;
+    let stock = [part.bar_diameter, part.length, part.stock_bore_diameter, part.facing_allowance];
+    let stock = stock.map(|value| (Place::Stock, value));
     let tolerances = table.tolerances().into_iter().map(|(_, value)| (Place::Document, value));
-    let all = rows.chain(stock).chain(tolerances);
+    let of_part = stock.into_iter().chain(tolerances).filter(|_| table.side == SectionTable::Outside);
+    let all = rows.chain(of_part);
     all.filter(|(_, value)| !is_usable(*value)).map(|(at, value)| report(table, at, value)).collect()
 }
 

@@ -1,15 +1,20 @@
 //! Between the clamped end and the last section every position needs a section; what lies in a gap can only be guessed.
+//! A bore may begin anywhere: before its first section the material is solid.
 
-use crate::diagnostic::{Column, Diagnostic};
+use crate::diagnostic::{Column, Diagnostic, SectionTable};
 use crate::part::check::{Row, Table};
 use crate::part::shape::SAME_PLACE_MM;
 
 /// Gaps between rows, and before the first one; the profile is filled straight there.
 pub(super) fn check(table: &Table<'_>) -> Vec<Diagnostic> {
-    let mut covered = 0.0;
+    let ranges = table.ranges();
+    let mut covered = match table.side {
+        SectionTable::Outside => 0.0,
+        SectionTable::Bore => ranges.first().map_or(0.0, |(_, z1, _)| *z1),
+    };
     let mut before: Option<&Row> = None;
     let mut found = Vec::new();
-    for (row, z1, z2) in table.ranges() {
+    for (row, z1, z2) in ranges {
         if z1 > covered + SAME_PLACE_MM {
             found.push(report(table, row, before, covered, z1));
         }
@@ -45,6 +50,12 @@ mod tests {
     #[test]
     fn fires_before_the_first_row() {
         assert_eq!(check(&table(&part(vec![Section::line(1, 1.0, 10.0, 10.0, 10.0)]))).len(), 1);
+    }
+
+    #[test]
+    fn fires_between_the_rows_of_a_bore_and_not_before_them() {
+        let rows = vec![Section::line(1, 50.0, 8.0, 60.0, 8.0), Section::line(2, 61.0, 10.0, 100.0, 10.0)];
+        assert_eq!(places(&check(&bore_table(&bored(rows)))), [(2, Column::Z1)]);
     }
 
     #[test]

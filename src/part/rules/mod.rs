@@ -7,7 +7,12 @@ mod arc_radius;
 mod arc_undercut;
 mod bar_limit;
 mod below_axis;
+mod between_centres;
+mod bore_between_centres;
+mod bore_closed;
+mod bore_wall;
 mod chords;
+mod facing_allowance;
 mod figures;
 mod gap;
 mod machined_away;
@@ -20,7 +25,10 @@ mod parabola_points;
 mod parabola_straight;
 mod parabola_turns_back;
 mod pitch;
+mod published_generator;
+mod starts;
 mod stock;
+mod stock_bore;
 mod taper;
 mod thread_base;
 mod tolerances;
@@ -32,10 +40,12 @@ mod test_table;
 
 use super::check::Rule;
 
-/// All rules, in the order of their messages.
-pub(super) const RULES: [Rule; 26] = [
+/// The rules of the outside's table and of the part as a whole, in the order of their messages.
+pub(super) const RULES: [Rule; 30] = [
     figures::check,
     stock::check,
+    facing_allowance::check,
+    between_centres::check,
     no_sections::check,
     order::check,
     negative_diameter::check,
@@ -58,6 +68,37 @@ pub(super) const RULES: [Rule; 26] = [
     travel::check,
     taper::check,
     pitch::check,
+    starts::check,
     thread_base::check,
     tolerances::check,
+    published_generator::check,
+];
+
+/// The rules of the bore's table, in the order of their messages.
+pub(super) const BORE_RULES: [Rule; 25] = [
+    figures::check,
+    stock_bore::check,
+    bore_between_centres::check,
+    bore_closed::check,
+    order::check,
+    negative_diameter::check,
+    gap::check,
+    overlap::check,
+    wall::check,
+    outside_part::check,
+    bore_wall::check,
+    arc_impossible::check,
+    arc_undercut::check,
+    arc_quadrant::check,
+    arc_radius::check,
+    below_axis::check,
+    parabola_points::check,
+    parabola_straight::check,
+    parabola_turns_back::check,
+    chords::check,
+    taper::check,
+    pitch::check,
+    starts::check,
+    thread_base::check,
+    published_generator::check,
 ];

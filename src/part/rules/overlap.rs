@@ -1,6 +1,6 @@
 //! Sections may overlap, as in the published master part, and the smaller radius is cut; more often it is a slip.
 
-use crate::diagnostic::{Column, Diagnostic};
+use crate::diagnostic::{Column, Diagnostic, SectionTable};
 use crate::part::check::{Row, Table};
 use crate::part::shape::{SAME_PLACE_MM, is_face_row};
 
@@ -21,7 +21,11 @@ pub(super) fn check(table: &Table<'_>) -> Vec<Diagnostic> {
 
 fn report(table: &Table<'_>, row: &Row, before: &Row, width: f64) -> Diagnostic {
     let (width, number) = (table.length(width), before.number);
-    let message = format!("The section overlaps section {number} by {width}; the smaller radius is cut there.");
+    let cut = match table.side {
+        SectionTable::Outside => "smaller",
+        SectionTable::Bore => "larger",
+    };
+    let message = format!("The section overlaps section {number} by {width}; the {cut} radius is cut there.");
     Diagnostic::warning("overlap", row.at(Column::Z1), message)
         .with_hint("Begin this section where the other one ends, unless the overlap is meant.")
         .with_related(before.at(Column::Z2))
@@ -39,6 +43,13 @@ mod tests {
         assert_eq!(places(&found), [(2, Column::Z1)]);
         assert!(found[0].message.contains("2.000 mm"));
         assert_eq!(found[0].severity, crate::diagnostic::Severity::Warning);
+    }
+
+    #[test]
+    fn fires_in_the_bore_where_the_larger_radius_is_cut() {
+        let rows = vec![Section::line(1, 0.0, 10.0, 12.0, 10.0), Section::line(2, 10.0, 10.0, 20.0, 10.0)];
+        let found = check(&bore_table(&bored(rows)));
+        assert!(found[0].message.contains("larger"));
     }
 
     #[test]

@@ -22,6 +22,16 @@ pub(super) fn table(part: &TurnedPart) -> Table<'static> {
     Table::new(part, Unit::Mm, &ORAC)
 }
 
+/// A part of 100 mm with the given bore in a plain outside of 26.2 mm.
+pub(super) fn bored(bore: Vec<Section>) -> TurnedPart {
+    TurnedPart { bore, ..part(vec![Section::line(1001, 0.0, 26.2, 100.0, 26.2)]) }
+}
+
+/// The table of the bore of a part in mm on the ORAC.
+pub(super) fn bore_table(part: &TurnedPart) -> Table<'static> {
+    Table::of_bore(part, Unit::Mm, &ORAC)
+}
+
 /// Row and column of every diagnostic that has them.
 pub(super) fn places(found: &[Diagnostic]) -> Vec<(usize, Column)> {
     let place = |d: &Diagnostic| match d.at {
@@ -38,7 +48,7 @@ pub(super) fn convex(radius: f64, z2: f64, d1: f64, d2: f64) -> Section {
 
 /// A thread 10 mm long.
 pub(super) fn thread(outside: f64, base: f64, pitch: f64) -> Section {
-    Section { kind: SectionKind::Thread { pitch }, ..Section::line(1, 0.0, outside, 10.0, base) }
+    Section { kind: SectionKind::Thread { pitch, starts: 1 }, ..Section::line(1, 0.0, outside, 10.0, base) }
 }
 
 /// A parabola from diameter 10 to 5 over 10 mm, radius as a function of position.

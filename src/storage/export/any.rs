@@ -4,8 +4,8 @@ use super::{cad, csv, dxf, svg, tsv};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::{Content, Document, TurnedPart};
 use crate::machine::Catalog;
-use crate::part::{self, PartContour};
-use crate::storage::{replace_file, save_document};
+use crate::part::{self, PartContour, Profile, Section};
+use crate::storage::{bore_beside, replace_file, save_document};
 use crate::textfile::file_place;
 use std::path::Path;
 
@@ -13,7 +13,7 @@ use std::path::Path;
 const PARABOLA_TOLERANCE_MM: f64 = 0.001;
 
 /// Writes `document` as a document (`.turn`), an ORACAP part (`.cad` with `.SIZ` and `.END` beside it), a drawing of its
-/// profile (`.dxf`, `.svg`) or its section table (`.csv`, `.tsv`).
+/// profile (`.dxf`, `.svg`) or its section table (`.csv`, `.tsv`; the table of a bore as `NAME.bore.csv` beside it).
 ///
 /// Returns what there is to say about it, such as settings that the kind of file cannot hold.
 ///
@@ -33,15 +33,15 @@ pub fn any(document: &Document, catalog: &Catalog, path: &Path) -> Result<Vec<Di
                 .and_then(|()| texts.end.map_or(Ok(()), |text| write(&path.with_extension("END"), &text)))
         }
         "dxf" => {
-            let contour = contour(document, part, catalog, &mut diagnostics)?;
-            dxf(&contour, document.unit).and_then(|text| write(path, &text))
+            let (contour, bore) = contours(document, part, catalog, &mut diagnostics)?;
+            dxf(&contour, bore.as_ref(), document.unit).and_then(|text| write(path, &text))
         }
         "svg" => {
-            let contour = contour(document, part, catalog, &mut diagnostics)?;
-            write(path, &svg(&contour, &document.name))
+            let (contour, bore) = contours(document, part, catalog, &mut diagnostics)?;
+            write(path, &svg(&contour, bore.as_ref(), &document.name))
         }
-        "csv" => write(path, &csv(&part.sections, document.unit)),
-        "tsv" => write(path, &tsv(&part.sections)),
+        "csv" => tables(path, part, |rows| csv(rows, document.unit)),
+        "tsv" => tables(path, part, tsv),
         _ => Err(unknown(path, &extension)),
     };
     written.map(|()| diagnostics).map_err(|d| vec![d])
@@ -51,13 +51,19 @@ fn write(path: &Path, text: &str) -> Result<(), Diagnostic> {
     replace_file(path, text.as_bytes())
 }
 
-/// The whole finished outside as lines and arcs, in mm, as it is clamped first.
-fn contour(
+/// Writes the section table and, with a bore, its table beside it.
+fn tables(path: &Path, part: &TurnedPart, text: impl Fn(&[Section]) -> String) -> Result<(), Diagnostic> {
+    write(path, &text(&part.sections))?;
+    if part.bore.is_empty() { Ok(()) } else { write(&bore_beside(path), &text(&part.bore)) }
+}
+
+/// The whole finished outside and the bore as lines and arcs, in mm, as the part is clamped first.
+fn contours(
     document: &Document,
     part: &TurnedPart,
     catalog: &Catalog,
     diagnostics: &mut Vec<Diagnostic>,
-) -> Result<PartContour, Vec<Diagnostic>> {
+) -> Result<(PartContour, Option<PartContour>), Vec<Diagnostic>> {
     let Some(machine) = catalog.machine(&part.machine) else {
         let at = Place::Machine { id: part.machine.clone() };
         return Err(vec![Diagnostic::error(
@@ -68,7 +74,8 @@ fn contour(
     };
     let (setups, found) = part::setups(&part.scaled(document.unit.in_mm()), machine);
     diagnostics.extend(found);
-    let first = setups.first().map(|setup| part::contour(&setup.profile, PARABOLA_TOLERANCE_MM));
+    let of = |profile: &Profile| part::contour(profile, PARABOLA_TOLERANCE_MM);
+    let first = setups.first().map(|setup| (of(&setup.profile), setup.bore.as_ref().map(of)));
     first.ok_or_else(|| std::mem::take(diagnostics))
 }
 
@@ -101,6 +108,30 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn a_bore_is_written_beside_the_table_and_what_a_kind_cannot_hold_is_said() {
+        let folder = tempfile::tempdir().unwrap();
+        let catalog = Catalog::shipped();
+        let mut document = document_from_text("", examples()[0].text).unwrap();
+        let Content::TurnedPart(part) = &mut document.content;
+        part.bore = vec![Section::line(900, 10.0, 3.0, part.length, 3.0)];
+        let bore = part.bore.clone();
+        for extension in ["tsv", "csv", "dxf", "svg", "turn"] {
+            let path = folder.path().join("a").with_extension(extension);
+            assert_eq!(any(&document, &catalog, &path).unwrap(), []);
+            if matches!(extension, "tsv" | "dxf" | "turn") {
+                let (again, diagnostics) = import::any(&path, "orac").unwrap();
+                assert!(!has_errors(&diagnostics), "{diagnostics:?}");
+                let Content::TurnedPart(part) = again.content;
+                let ends = |rows: &[Section]| rows.iter().map(|s| [s.z1, s.d1, s.z2, s.d2]).collect::<Vec<_>>();
+                assert_eq!(ends(&part.bore), ends(&bore));
+            }
+        }
+        assert!(folder.path().join("a.bore.csv").exists());
+        let said = any(&document, &catalog, &folder.path().join("a.CAD")).unwrap();
+        assert!(said.iter().any(|d| d.code == "cad-no-bore" && d.message.contains("1 in number")));
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! ORACAP part files.
 
 use crate::diagnostic::{Diagnostic, Place};
-use crate::document::{Content, Document, Ends};
+use crate::document::{Content, Document, Ends, Holding};
 use crate::part::{Section, SectionKind};
 use crate::storage::import::CadTexts;
 use crate::units::Unit;
@@ -31,6 +31,29 @@ pub fn cad(document: &Document) -> (CadTexts, Vec<Diagnostic>) {
             format!("An ORACAP part file holds no split point; {split} {} is left out.", document.unit.symbol());
         diagnostics.push(Diagnostic::warning("cad-no-split", Place::Document, message));
     }
+    let mut lost = |code: &str, at: Place, what: String| {
+        let message = format!("An ORACAP part file holds {what} left out.");
+        diagnostics.push(Diagnostic::warning(code, at, message));
+    };
+    let unit = document.unit.symbol();
+    if !part.bore.is_empty() {
+        lost("cad-no-bore", Place::Document, format!("no bore; its sections, {} in number, are", part.bore.len()));
+    }
+    if part.stock_bore_diameter > 0.0 {
+        let hole = part.stock_bore_diameter;
+        lost("cad-no-bore", Place::Stock, format!("solid bar only; the hole of {hole} {unit} in the stock is"));
+    }
+    if part.facing_allowance > 0.0 {
+        let allowance = part.facing_allowance;
+        lost("cad-no-facing", Place::Stock, format!("no facing allowance; {allowance} {unit} are"));
+    }
+    if part.holding != Holding::Chuck {
+        lost("cad-no-holding", Place::Stock, "work in the chuck only; that it is held between centres is".to_owned());
+    }
+    for (row, starts) in several_starts(&part.sections) {
+        let what = format!("threads of 1 start only; of those in section {row}, {starts} in number, the others are");
+        lost("cad-no-starts", Place::Document, what);
+    }
     if !part.overrides.is_empty() {
         let message =
             format!("An ORACAP part file holds no programs; {} edited by hand are left out.", part.overrides.len());
@@ -41,12 +64,20 @@ pub fn cad(document: &Document) -> (CadTexts, Vec<Diagnostic>) {
     (CadTexts { cad: text, siz: Some(siz), end: Some(format!("{ends}\n")) }, diagnostics)
 }
 
+/// Row and starts of every thread with more than one start.
+fn several_starts(sections: &[Section]) -> impl Iterator<Item = (usize, u32)> {
+    (1..).zip(sections).filter_map(|(row, section)| match section.kind {
+        SectionKind::Thread { starts, .. } if starts > 1 => Some((row, starts)),
+        _ => None,
+    })
+}
+
 fn add_section(text: &mut String, position: usize, section: &Section) {
     let (kind, more, names) = match section.kind {
         SectionKind::Line => (1, String::new(), "p1,d1,p2,d2"),
         SectionKind::Concave { radius } => (2, number(radius), "p1,d1,p2,d2,rad"),
         SectionKind::Convex { radius } => (3, number(radius), "p1,d1,p2,d2,rad"),
-        SectionKind::Thread { pitch } => (4, number(pitch), "p1,od,p2,bd,pit"),
+        SectionKind::Thread { pitch, .. } => (4, number(pitch), "p1,od,p2,bd,pit"),
         SectionKind::ParabolaAlongX { z3, d3, chords } => {
             (5, format!("{}{} {chords:>4}", number(z3), number(d3)), "p1,d1,p2,d2,p3,d3,nsub")
         }

@@ -10,16 +10,18 @@ use ::dxf::tables::Layer;
 use ::dxf::{Color, Drawing};
 
 const PROFILE: &str = "PROFILE";
+/// Layer of the inside; an import takes what lies on it for the bore.
+pub(in crate::storage) const BORE: &str = "BORE";
 const CENTRE_LINE: &str = "CENTRE_LINE";
 /// Length by which the centre line sticks out of the part, mm.
 const CENTRE_LINE_BEYOND_MM: f64 = 5.0;
 
-/// The upper half of the profile with its end faces on layer `PROFILE` and the centre line on layer `CENTRE_LINE`; x along
-/// the spindle from the clamped end, y the radius, in `unit`. Arcs stay arcs.
+/// The upper half of the profile with its end faces on layer `PROFILE`, the bore on layer `BORE` and the centre line on
+/// layer `CENTRE_LINE`; x along the spindle from the clamped end, y the radius, in `unit`. Arcs stay arcs.
 ///
 /// # Errors
 /// A diagnostic if the drawing cannot be written as text.
-pub fn dxf(contour: &PartContour, unit: Unit) -> Result<String, Diagnostic> {
+pub fn dxf(contour: &PartContour, bore: Option<&PartContour>, unit: Unit) -> Result<String, Diagnostic> {
     let mut drawing = Drawing::new();
     // The oldest version whose header names the unit.
     drawing.header.version = AcadVersion::R2000;
@@ -27,17 +29,24 @@ pub fn dxf(contour: &PartContour, unit: Unit) -> Result<String, Diagnostic> {
         Unit::Mm => Units::Millimeters,
         Unit::Inch => Units::Inches,
     };
-    for (name, color) in [(PROFILE, 7), (CENTRE_LINE, 1)] {
+    for (name, color) in [(PROFILE, 7), (BORE, 7), (CENTRE_LINE, 1)] {
         drawing.add_layer(Layer { name: name.to_owned(), color: Color::from_index(color), ..Layer::default() });
     }
     let scale = 1.0 / unit.in_mm();
     for segment in &contour.contour.segments {
         add(&mut drawing, PROFILE, segment, scale);
     }
-    for end in [contour.contour.segments.first().map(Segment::start), contour.contour.segments.last().map(Segment::end)]
-    {
-        if let Some(end) = end.filter(|p| p.r > 0.0) {
-            add(&mut drawing, PROFILE, &Segment::line(Point::new(end.z, 0.0), end), scale);
+    let inside = bore.map(|b| b.contour.segments.as_slice()).unwrap_or_default();
+    for segment in inside {
+        add(&mut drawing, BORE, segment, scale);
+    }
+    let first = (contour.contour.segments.first().map(Segment::start), inside.first().map(Segment::start));
+    let last = (contour.contour.segments.last().map(Segment::end), inside.last().map(Segment::end));
+    for (end, bore_end) in [first, last] {
+        let Some(end) = end else { continue };
+        let from = bore_end.filter(|p| p.z == end.z).map_or(0.0, |p| p.r);
+        if end.r > from {
+            add(&mut drawing, PROFILE, &Segment::line(Point::new(end.z, from), end), scale);
         }
     }
     if let Some(bounds) = contour.contour.bounds() {

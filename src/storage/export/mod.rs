@@ -8,6 +8,7 @@ mod table;
 
 pub use any::any;
 pub use cad::cad;
+pub(in crate::storage) use dxf::BORE;
 pub use dxf::dxf;
 pub use svg::svg;
 pub use table::{COLUMNS, csv, tsv};

@@ -11,10 +11,10 @@ const CENTRE_LINE_BEYOND_MM: f64 = 5.0;
 /// Smallest change of direction that is drawn as an edge, radians (about 1 degree).
 const EDGE_RAD: f64 = 0.018;
 
-/// The full section on white paper, true to scale in mm: the outline with both halves, the edges, and the centre line. `name` is its
-/// title. Arcs stay arcs. Without any segment the drawing is empty.
+/// The part on white paper, true to scale in mm: the outline with both halves, the edges, the bore as hidden lines, and the
+/// centre line. `name` is its title. Arcs stay arcs. Without any segment the drawing is empty.
 #[must_use]
-pub fn svg(contour: &PartContour, name: &str) -> String {
+pub fn svg(contour: &PartContour, bore: Option<&PartContour>, name: &str) -> String {
     let contour = &contour.contour;
     let Bounds { min, max } = contour.bounds().unwrap_or(Bounds { min: Point::default(), max: Point::default() });
     let (left, top) = (min.z - MARGIN_MM, -max.r - MARGIN_MM);
@@ -28,6 +28,7 @@ pub fn svg(contour: &PartContour, name: &str) -> String {
 <g fill="none" stroke="#1f2933" stroke-linecap="round" stroke-linejoin="round">
 <path id="outline" d="{outline}" fill="#dce6f1" stroke-width="0.5"/>
 <path id="edges" d="{edges}" stroke-width="0.25"/>
+<path id="bore" d="{bore}" stroke-width="0.25" stroke-dasharray="2 1"/>
 <path id="centre-line" d="M{from} 0H{to}" stroke-width="0.18" stroke-dasharray="6 1 1 1"/>
 </g>
 </svg>
@@ -39,6 +40,7 @@ pub fn svg(contour: &PartContour, name: &str) -> String {
         title = escaped(name),
         outline = outline(contour),
         edges = edges(contour),
+        bore = bore.map(|bore| hidden(&bore.contour)).unwrap_or_default(),
         from = number(from),
         to = number(to),
     )
@@ -59,6 +61,20 @@ fn outline(contour: &Contour) -> String {
         add(&mut path, segment, -1.0);
     }
     path + "Z"
+}
+
+/// The bore in both halves, with a line across wherever its radius steps.
+fn hidden(bore: &Contour) -> String {
+    let Some(first) = bore.segments.first().map(Segment::start) else { return String::new() };
+    let mut path = String::new();
+    for side in [1.0, -1.0] {
+        // Writing to a String cannot fail.
+        let _ = write!(path, "M{} {}", number(first.z), number(-side * first.r));
+        for segment in &bore.segments {
+            add(&mut path, segment, side);
+        }
+    }
+    path + &edges(bore)
 }
 
 /// Adds a segment; `side` is 1 for the upper half and −1 for its mirror image.
@@ -111,7 +127,7 @@ mod tests {
         let p = Point::new;
         let dome = Segment::Arc { start: p(10.0, 5.0), end: p(15.0, 0.0), center: p(10.0, 0.0), ccw: false };
         let contour = Contour::new(vec![Segment::line(p(0.0, 5.0), p(10.0, 5.0)), dome]);
-        let text = svg(&PartContour { contour, sections: vec![1, 2] }, "A & B");
+        let text = svg(&PartContour { contour, sections: vec![1, 2] }, None, "A & B");
         assert!(text.contains(r#"width="35mm" height="30mm" viewBox="-10 -15 35 30""#), "{text}");
         assert!(text.contains("<title>A &amp; B</title>"));
         let outline = r#"d="M0 -5L10 -5A5 5 0 0 1 15 0L15 0A5 5 0 0 1 10 5L0 5Z""#;
@@ -124,8 +140,8 @@ mod tests {
         let p = Point::new;
         let contour = Contour::polygon(&[p(0.0, 5.0), p(10.0, 5.0), p(10.0, 4.0)]);
         let text =
-            svg(&PartContour { contour: Contour::new(contour.segments[..2].to_vec()), sections: vec![1, 2] }, "");
+            svg(&PartContour { contour: Contour::new(contour.segments[..2].to_vec()), sections: vec![1, 2] }, None, "");
         assert!(text.contains("M10 -5V5"), "{text}");
-        assert!(svg(&PartContour::default(), "").contains("<svg"));
+        assert!(svg(&PartContour::default(), None, "").contains("<svg"));
     }
 }

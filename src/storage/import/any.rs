@@ -3,7 +3,8 @@
 use super::{CadTexts, Imported, cad, dxf, name_of, tsv};
 use crate::diagnostic::Diagnostic;
 use crate::document::Document;
-use crate::storage::open_document;
+use crate::part::Section;
+use crate::storage::{bore_beside, open_document};
 use crate::textfile::{self, file_place};
 use crate::units::Unit;
 use std::path::{Path, PathBuf};
@@ -21,7 +22,7 @@ enum Kind {
 }
 
 /// Opens a document (`.turn`) or imports an ORACAP part (`.CAD`, with `.SIZ` and `.END` beside it), a profile (`.dxf`) or
-/// a section table (`.tsv`, in mm). The kind goes by the extension, or by the content where there is none that is known.
+/// a section table (`.tsv`, in mm, with that of a bore as `NAME.bore.tsv` beside it). The kind goes by the extension, or by the content where there is none that is known.
 /// A file that names no machine gets `default_machine`.
 ///
 /// Returns the document and what there is to say about it.
@@ -94,15 +95,28 @@ fn sibling(path: &Path, extension: &str) -> Option<PathBuf> {
     [extension.to_owned(), lower, capital].iter().map(|e| path.with_extension(e)).find(|p| p.exists())
 }
 
+/// The rows of the bore's table beside `path`, if there is one; `rows` ids are taken already.
+fn bore_table(path: &Path, rows: usize) -> Result<(Vec<Section>, Vec<Diagnostic>), Diagnostic> {
+    let beside = bore_beside(path);
+    if !beside.exists() {
+        return Ok((Vec::new(), Vec::new()));
+    }
+    let text = textfile::read(&beside, MOST_BYTES)?;
+    let first_id = u32::try_from(rows).unwrap_or(u32::MAX).saturating_add(1);
+    Ok(tsv(&beside.display().to_string(), &text, Unit::Mm, first_id))
+}
+
 fn any_table(path: &Path, machine: &str) -> Result<(Document, Vec<Diagnostic>), Vec<Diagnostic>> {
     let text = textfile::read(path, MOST_BYTES).map_err(|d| vec![d])?;
     let file = path.display().to_string();
-    let (sections, diagnostics) = tsv(&file, &text, Unit::Mm, 1);
+    let (sections, mut diagnostics) = tsv(&file, &text, Unit::Mm, 1);
     if sections.is_empty() {
         let none =
             Diagnostic::error("no-sections", file_place(path), "The file has 0 rows that can be read; 1 is needed.");
         return Err(diagnostics.into_iter().chain([none]).collect());
     }
-    let document = Imported::of_rows(name_of(path), Unit::Mm, machine, sections).document(&file)?;
+    let (bore, more) = bore_table(path, sections.len()).map_err(|d| vec![d])?;
+    diagnostics.extend(more);
+    let document = Imported::of_rows(name_of(path), Unit::Mm, machine, [sections, bore]).document(&file)?;
     Ok((document, diagnostics))
 }

@@ -67,6 +67,7 @@ pub fn cad(
         part_off: head.part_off,
         automatic: head.automatic,
         sections,
+        bore: Vec::new(),
     }
     .document(file)?;
     Ok((document, diagnostics))
@@ -171,7 +172,7 @@ fn read_section(words: &mut Words<'_>, id: u32, diagnostics: &mut Vec<Diagnostic
         1 => SectionKind::Line,
         2 => SectionKind::Concave { radius: length("the radius")? },
         3 => SectionKind::Convex { radius: length("the radius")? },
-        4 => SectionKind::Thread { pitch: length("the pitch")? },
+        4 => SectionKind::Thread { pitch: length("the pitch")?, starts: 1 },
         _ => {
             let (z3, d3) = (length("position three")?, length("the diameter at position three")?);
             let chords = words.whole("the number of sub-sections", 1, 1000)?;
@@ -291,7 +292,7 @@ mod tests {
         assert_eq!((part.bar_diameter, part.length, part.ends, document.unit), (26.2, 40.0, Ends::One, Unit::Mm));
         let parabola = SectionKind::ParabolaAlongX { z3: 8.0, d3: 17.0, chords: 10 };
         assert_eq!(part.sections[0], Section { kind: parabola, ..Section::line(1, 5.0, 16.0, 14.0, 10.0) });
-        assert_eq!(part.sections[1].kind, SectionKind::Thread { pitch: 1.75 });
+        assert_eq!(part.sections[1].kind, SectionKind::Thread { pitch: 1.75, starts: 1 });
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use super::{Imported, dxf_profile, dxf_segments};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::Document;
+use crate::part::Section;
 use crate::textfile::{file_place, line_place};
 use crate::units::Unit;
 use ::dxf::enums::Units;
@@ -18,7 +19,7 @@ const JOIN_MM: f64 = 0.001;
 /// the document's name.
 ///
 /// A half section above the centre line, a half below it or a full section will do: the upper half counts. The smallest x
-/// becomes the clamped end. Faces are implied by the table and may be drawn or not. Arcs are divided at quadrants.
+/// becomes the clamped end. What lies on a layer `BORE` becomes the bore. Faces are implied by the table and may be drawn or not. Arcs are divided at quadrants.
 /// A drawing in inches gives a document in inches, any other unit one in mm; a drawing without unit is taken as mm.
 ///
 /// # Errors
@@ -34,9 +35,13 @@ pub fn dxf(
     let drawing = load(file, bytes).map_err(|d| vec![d])?;
     let mut diagnostics = Vec::new();
     let (unit, scale) = unit_of(&drawing, &at, &mut diagnostics).map_err(|d| vec![d])?;
-    let segments = dxf_segments::segments(&drawing, scale, &at, &mut diagnostics);
+    let [segments, inside] = dxf_segments::segments(&drawing, scale, &at, &mut diagnostics);
     let tolerance = JOIN_MM / unit.in_mm();
-    let sections = dxf_profile::rows(&segments, tolerance, unit, &at, &mut diagnostics);
+    let origin = dxf_profile::origin(&segments, tolerance);
+    let sections = dxf_profile::rows(&segments, origin, 1, tolerance, unit, &at, &mut diagnostics);
+    let first_id = u32::try_from(sections.len()).unwrap_or(u32::MAX).saturating_add(1);
+    let bore = dxf_profile::rows(&inside, origin, first_id, tolerance, unit, &at, &mut diagnostics);
+    let bore = bore.iter().map(Section::seen_from_inside).collect();
     if sections.is_empty() {
         let message = format!("The drawing has {} lines and arcs, none of which forms a profile.", segments.len());
         diagnostics.push(
@@ -46,7 +51,7 @@ pub fn dxf(
         );
         return Err(diagnostics);
     }
-    let document = Imported::of_rows(name.to_owned(), unit, machine, sections).document(file)?;
+    let document = Imported::of_rows(name.to_owned(), unit, machine, [sections, bore]).document(file)?;
     Ok((document, diagnostics))
 }
 
@@ -136,7 +141,7 @@ mod tests {
     use super::*;
     use crate::document::Content;
     use crate::geometry::{Contour, Point, Segment};
-    use crate::part::{PartContour, Section, SectionKind};
+    use crate::part::{PartContour, SectionKind};
     use crate::storage::export;
     use ::dxf::LwPolylineVertex;
     use ::dxf::entities::{Circle, Entity, EntityType, Line, LwPolyline};
@@ -211,7 +216,7 @@ mod tests {
             Section::line(5, 24.0, 26.0, 30.0, 25.0),
         ];
         for unit in [Unit::Mm, Unit::Inch] {
-            let text = export::dxf(&sample(), unit).unwrap();
+            let text = export::dxf(&sample(), None, unit).unwrap();
             let (found, sections, diagnostics) = import(text.as_bytes());
             assert_eq!((found, diagnostics), (unit, vec![]));
             assert_eq!(sections.len(), expected.len());
@@ -219,6 +224,25 @@ mod tests {
                 assert_near(&section.scaled(unit.in_mm()), expected);
             }
         }
+    }
+
+    #[test]
+    fn a_bore_comes_back_from_its_layer_with_hollows_on_their_side() {
+        let arc = Segment::Arc { start: p(12.0, 3.0), end: p(16.0, 7.0), center: p(12.0, 7.0), ccw: true };
+        let inside = vec![
+            Segment::line(p(4.0, 0.0), p(4.0, 3.0)),
+            Segment::line(p(4.0, 3.0), p(12.0, 3.0)),
+            arc,
+            Segment::line(p(16.0, 7.0), p(30.0, 7.0)),
+        ];
+        let bore = PartContour { contour: Contour::new(inside), sections: vec![6, 6, 7, 8] };
+        let text = export::dxf(&sample(), Some(&bore), Unit::Mm).unwrap();
+        let (document, diagnostics) = dxf("a.dxf", "A", text.as_bytes(), "orac").unwrap();
+        let Content::TurnedPart(part) = document.content;
+        assert_eq!((diagnostics, part.sections.len(), part.bore.len()), (vec![], 5, 3));
+        assert_near(&part.bore[0], &Section::line(6, 4.0, 6.0, 12.0, 6.0));
+        let bulge = Section { kind: SectionKind::Convex { radius: 4.0 }, ..Section::line(7, 12.0, 6.0, 16.0, 14.0) };
+        assert_near(&part.bore[1], &bulge);
     }
 
     #[test]

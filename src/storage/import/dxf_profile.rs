@@ -9,14 +9,33 @@ use crate::part::{Section, SectionKind};
 use crate::units::Unit;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-/// The rows of the upper half of a drawing, from the clamped end to the free end. Lengths and `tolerance` are in `unit`; ends nearer than `tolerance` are one.
+/// The smallest x of the upper half of a drawing, which becomes the clamped end.
+pub(super) fn origin(segments: &[Segment], tolerance: f64) -> f64 {
+    let (run, _) = upper_half(segments, tolerance);
+    run.first().map_or(0.0, |s| s.start().z)
+}
+
+/// The rows of the upper half of a drawing, from the clamped end at x = `origin` to the free end, with ids from `first_id`
+/// on. Lengths and `tolerance` are in `unit`; ends nearer than `tolerance` are one.
 pub(super) fn rows(
     segments: &[Segment],
+    origin: f64,
+    first_id: u32,
     tolerance: f64,
     unit: Unit,
     at: &Place,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<Section> {
+    let (run, faces) = upper_half(segments, tolerance);
+    let mut rows = Rows { sections: Vec::new(), first_id, last: None, origin, tolerance, unit, at, diagnostics };
+    for piece in &run {
+        rows.add(piece, &faces);
+    }
+    rows.sections
+}
+
+/// The pieces of the upper half that are no faces, each and all of them from left to right, and the faces.
+fn upper_half(segments: &[Segment], tolerance: f64) -> (Vec<Segment>, Vec<Segment>) {
     let pieces: Vec<Segment> = segments.iter().flat_map(split).collect();
     let above = |s: &&Segment| s.point_at(0.5).r > tolerance;
     let mut half: Vec<Segment> = pieces.iter().filter(above).copied().collect();
@@ -26,12 +45,7 @@ pub(super) fn rows(
     let (faces, mut run): (Vec<Segment>, Vec<Segment>) = half.into_iter().partition(|s| width(s) <= tolerance);
     run = run.into_iter().map(|s| if s.start().z <= s.end().z { s } else { s.reversed() }).collect();
     run.sort_by(|a, b| a.start().z.total_cmp(&b.start().z).then(a.end().z.total_cmp(&b.end().z)));
-    let origin = run.first().map_or(0.0, |s| s.start().z);
-    let mut rows = Rows { sections: Vec::new(), last: None, origin, tolerance, unit, at, diagnostics };
-    for piece in &run {
-        rows.add(piece, &faces);
-    }
-    rows.sections
+    (run, faces)
 }
 
 /// Extent along the spindle.
@@ -92,6 +106,7 @@ fn cuts(segment: &Segment) -> Vec<f64> {
 
 struct Rows<'a> {
     sections: Vec<Section>,
+    first_id: u32,
     /// The piece behind the last row.
     last: Option<Segment>,
     /// Position in the drawing that becomes 0.
@@ -149,8 +164,8 @@ impl Rows<'_> {
         let (upper, lower) = if piece.point_at(0.5).r > last.point_at(0.5).r { (piece, last) } else { (last, piece) };
         let common = last.end().z.min(piece.end().z) - piece.start().z;
         let message = format!(
-            "From {} to {} the profile lies below the piece from {} to {} for {}; an overhang or a bore cannot be turned from \
-             outside, and the lower piece is left out.",
+            "From {} to {} the profile lies below the piece from {} to {} for {}; an overhang cannot be turned, and a bore \
+             belongs on the layer BORE. The lower piece is left out.",
             self.shown(lower.start()),
             self.shown(lower.end()),
             self.shown(upper.start()),
@@ -181,7 +196,7 @@ impl Rows<'_> {
             (Some(radius), _) => SectionKind::Convex { radius },
             (None, _) => SectionKind::Line,
         };
-        let id = u32::try_from(self.sections.len()).unwrap_or(u32::MAX).saturating_add(1);
+        let id = u32::try_from(self.sections.len()).unwrap_or(u32::MAX).saturating_add(self.first_id);
         let (z1, z2) = (start.z - self.origin, end.z - self.origin);
         self.sections.push(Section { id, z1, d1: 2.0 * start.r.max(0.0), z2, d2: 2.0 * end.r.max(0.0), kind });
         self.last = Some(*piece);

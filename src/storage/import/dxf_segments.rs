@@ -2,6 +2,7 @@
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::geometry::{Point, Segment};
+use crate::storage::export::BORE;
 use ::dxf::Drawing;
 use ::dxf::entities::{Arc, Circle, Entity, EntityType, Line, LwPolyline};
 use std::f64::consts::PI;
@@ -9,19 +10,26 @@ use std::f64::consts::PI;
 /// Largest coordinate that is taken, in the document's unit; no lathe is that long.
 const MOST: f64 = 100_000.0;
 
-/// The lines and arcs of all entities in model space, multiplied by `scale`. What cannot be used is a diagnostic.
-pub(super) fn segments(drawing: &Drawing, scale: f64, at: &Place, diagnostics: &mut Vec<Diagnostic>) -> Vec<Segment> {
-    let mut all = Vec::new();
+/// The lines and arcs of all entities in model space, multiplied by `scale`: those of the outside, and those on the layer
+/// of the bore. What cannot be used is a diagnostic.
+pub(super) fn segments(
+    drawing: &Drawing,
+    scale: f64,
+    at: &Place,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> [Vec<Segment>; 2] {
+    let [mut outside, mut bore] = [Vec::new(), Vec::new()];
     for entity in drawing.entities().filter(|e| !e.common.is_in_paper_space) {
         match of_entity(entity, scale) {
-            Ok(segments) => all.extend(segments),
+            Ok(segments) if entity.common.layer.eq_ignore_ascii_case(BORE) => bore.extend(segments),
+            Ok(segments) => outside.extend(segments),
             Err(problem) => {
                 let message = format!("{} {problem}; it is left out.", described(entity));
                 diagnostics.push(Diagnostic::warning("dxf-entity", at.clone(), message));
             }
         }
     }
-    all
+    [outside, bore]
 }
 
 fn of_entity(entity: &Entity, scale: f64) -> Result<Vec<Segment>, String> {

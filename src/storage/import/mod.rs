@@ -32,11 +32,12 @@ struct Imported {
     part_off: bool,
     automatic: bool,
     sections: Vec<Section>,
+    bore: Vec<Section>,
 }
 
 impl Imported {
-    /// Rows alone: the bar is the largest diameter, the length the largest position, the material aluminium.
-    fn of_rows(name: String, unit: Unit, machine: &str, sections: Vec<Section>) -> Self {
+    /// Rows of outside and bore alone: the bar is the largest diameter, the length the largest position, the material aluminium.
+    fn of_rows(name: String, unit: Unit, machine: &str, [sections, bore]: [Vec<Section>; 2]) -> Self {
         Self {
             name,
             unit,
@@ -48,6 +49,7 @@ impl Imported {
             part_off: false,
             automatic: false,
             sections,
+            bore,
         }
     }
 
@@ -67,6 +69,7 @@ impl Imported {
                 automatic: self.automatic,
                 form_tolerance: default_form_tolerance(self.unit),
                 sections: self.sections,
+                bore: self.bore,
                 ..TurnedPart::default()
             }),
         };

@@ -1,12 +1,12 @@
 //! Section rows from a spreadsheet: cells apart by tabs, one row a line.
 
 use crate::diagnostic::Diagnostic;
-use crate::part::{Section, SectionKind};
+use crate::part::{STARTS, Section, SectionKind};
 use crate::storage::export::COLUMNS;
 use crate::textfile::line_place;
 use crate::units::{Unit, parse_length};
 
-/// Reads rows as [`crate::storage::export::tsv`] writes them: type, z1, d1, z2, d2, radius, pitch, z3, d3, chords. A row of
+/// Reads rows as [`crate::storage::export::tsv`] writes them: type, z1, d1, z2, d2, radius, pitch, z3, d3, chords, starts. A row of
 /// column names at the top and empty lines are passed over; cells behind the ones a type needs may be missing. Lengths may
 /// be expressions and carry a unit. `file` is the name for messages (`clipboard` for a paste); the rows get the ids from
 /// `first_id` on.
@@ -59,12 +59,12 @@ impl Row<'_> {
     fn kind(&mut self) -> Option<SectionKind> {
         let cell = self.cell(0).to_lowercase();
         let is = |kind: &SectionKind| kind.name() == cell;
-        let (radius, pitch, z3, d3, chords) = (0.0, 0.0, 0.0, 0.0, 0);
+        let (radius, pitch, starts, z3, d3, chords) = (0.0, 0.0, 1, 0.0, 0.0, 0);
         let kinds = [
             SectionKind::Line,
             SectionKind::Concave { radius },
             SectionKind::Convex { radius },
-            SectionKind::Thread { pitch },
+            SectionKind::Thread { pitch, starts },
             SectionKind::ParabolaAlongZ { z3, d3, chords },
             SectionKind::ParabolaAlongX { z3, d3, chords },
         ];
@@ -77,7 +77,10 @@ impl Row<'_> {
             SectionKind::Line => SectionKind::Line,
             SectionKind::Concave { .. } => SectionKind::Concave { radius: self.length(5)? },
             SectionKind::Convex { .. } => SectionKind::Convex { radius: self.length(5)? },
-            SectionKind::Thread { .. } => SectionKind::Thread { pitch: self.length(6)? },
+            SectionKind::Thread { .. } => {
+                let starts = self.starts();
+                SectionKind::Thread { pitch: self.length(6)?, starts: starts? }
+            }
             SectionKind::ParabolaAlongZ { .. } => {
                 let (z3, d3, chords) = self.parabola()?;
                 SectionKind::ParabolaAlongZ { z3, d3, chords }
@@ -87,6 +90,16 @@ impl Row<'_> {
                 SectionKind::ParabolaAlongX { z3, d3, chords }
             }
         })
+    }
+
+    /// Starts of a thread; 1 where the cell is empty or missing.
+    fn starts(&mut self) -> Option<u32> {
+        let cell = self.cell(10);
+        let starts = if cell.is_empty() { Some(1) } else { cell.parse().ok().filter(|s| STARTS.contains(s)) };
+        if starts.is_none() {
+            self.refuse(10, &format!("it must be a whole number from {} to {}", STARTS.start(), STARTS.end()));
+        }
+        starts
     }
 
     fn parabola(&mut self) -> Option<(f64, f64, u32)> {

@@ -19,10 +19,10 @@ pub(super) fn cut_threads(plan: &Plan, threads: &[ThreadSpec]) -> Vec<CutMove> {
     for thread in threads {
         let rpm = rpm(plan, thread.pitch);
         moves.travel_z(thread.z2 + run_in(plan, thread), rpm);
-        moves.travel_r(thread.outside_radius + plan.machine.datum.radial_clearance_mm, rpm);
+        moves.travel_r(thread.crest_radius + plan.machine.datum.radial_clearance_mm, rpm);
         moves.push(CutMove::Thread {
             to_z: thread.z1,
-            outside_radius: thread.outside_radius,
+            outside_radius: thread.crest_radius,
             base_radius: thread.base_radius,
             pitch: thread.pitch,
             depth_per_cut: plan.material.depth_thread,
@@ -54,5 +54,5 @@ fn run_in(plan: &Plan, thread: &ThreadSpec) -> f64 {
     let starts = open.iter().filter(|run| run.z1 - run.z0 >= length - SAME_MM || run.z1 >= plan.face_z() - SAME_MM);
     let nearest = starts.map(|run| run.z0).chain(free_end).filter(|&z| z <= lead_end).fold(f64::INFINITY, f64::min);
     let over = plan.surface.clipped(thread.z2, nearest.min(lead_end)).largest_radius();
-    if nearest.is_finite() && over <= thread.outside_radius + SAME_MM { nearest - thread.z2 + length } else { 0.0 }
+    if nearest.is_finite() && over <= thread.crest_radius + SAME_MM { nearest - thread.z2 + length } else { 0.0 }
 }

@@ -160,7 +160,7 @@ mod tests {
     #[test]
     fn both_ends_of_a_thread_move_its_outside_diameter() {
         let mut thread = Section::line(7, 5.0, 12.0, 20.0, 10.2);
-        thread.kind = SectionKind::Thread { pitch: 1.75 };
+        thread.kind = SectionKind::Thread { pitch: 1.75, starts: 1 };
         let mut part = sample::part(vec![thread]);
         let mut node = nodes(&part).remove(1);
         assert_eq!((node.z, node.diameter), (20.0, 12.0));
