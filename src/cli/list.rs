@@ -3,7 +3,7 @@
 use super::{Ending, Outcome, catalog, say};
 use clap::Args;
 use serde::Serialize;
-use turnwright::machine::{CuttingOperation, ToolMaterial};
+use turnwright::machine::{CuttingOperation, ToolMaterial, ToolShape};
 use turnwright::units::Unit;
 
 /// List what is known.
@@ -17,7 +17,10 @@ pub(crate) struct List {
 #[allow(clippy::unnecessary_wraps, reason = "every command has the same signature")]
 pub(super) fn machines(args: &List) -> Outcome {
     let catalog = catalog();
-    let lines = catalog.machines.iter().map(|m| format!("{:<16} {}", m.id, m.name));
+    let lines = catalog.machines.iter().map(|m| {
+        let power = m.spindle.power_kw.map_or_else(String::new, |kw| format!(", {kw} kW"));
+        format!("{:<16} {}: {} rev/min{power}, {} tools", m.id, m.name, m.rpm_limit(), m.tools.len())
+    });
     print(args, &catalog.machines, lines);
     Ok(Ending::Good)
 }
@@ -25,7 +28,13 @@ pub(super) fn machines(args: &List) -> Outcome {
 #[allow(clippy::unnecessary_wraps, reason = "every command has the same signature")]
 pub(super) fn tools(args: &List) -> Outcome {
     let catalog = catalog();
-    let lines = catalog.tools.iter().map(|t| format!("{:<16} {}", t.id, t.name));
+    let lines = catalog.tools.iter().map(|t| {
+        let codes = match &t.shape {
+            ToolShape::Iso { insert, holder } => format!(": {insert}, {holder}"),
+            _ => String::new(),
+        };
+        format!("{:<24} {}{codes}", t.id, t.name)
+    });
     print(args, &catalog.tools, lines);
     Ok(Ending::Good)
 }

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// Longest machine, tool or material file that is read, bytes.
-const MOST_BYTES: u64 = 1 << 20;
+pub(super) const MOST_BYTES: u64 = 1 << 20;
 
 /// Sources of shipped files: names and texts.
 macro_rules! shipped {
@@ -25,7 +25,7 @@ const MACHINES: &[Source<'static>] = shipped!(
     "machines/swedish-1970s.toml"
 );
 const TOOLS: &[Source<'static>] = shipped!("tools/orac.toml", "tools/mori-fanuc-6t.toml", "tools/turning.toml");
-const MATERIALS: &[Source<'static>] = shipped!("materials/oracap.toml");
+const MATERIALS: &[Source<'static>] = shipped!("materials/oracap.toml", "materials/general.toml");
 
 impl Catalog {
     /// What comes with the program. The files are part of it; a test proves that they are without fault.
@@ -89,14 +89,34 @@ impl Catalog {
             let items = file::tools(source, diagnostics);
             place_all(source, &mut self.tools, items, diagnostics);
         }
+        let mut likes = Vec::new();
         for &source in materials {
             let items = file::materials(source, diagnostics);
+            likes.extend(items.iter().filter(|item| item.value.like.is_some()).map(|item| (source, item.clone())));
             place_all(source, &mut self.materials, items, diagnostics);
         }
+        self.follow_likes(&likes, diagnostics);
         for &source in machines {
             let mut items = file::machines(source, diagnostics);
             items.retain(|item| self.knows_tools(source, item, diagnostics));
             place_all(source, &mut self.machines, items, diagnostics);
+        }
+    }
+
+    /// Fills in what materials take from others. One that names a material which is not there has only what it gives itself.
+    fn follow_likes(&mut self, likes: &[(Source<'_>, Item<Material>)], diagnostics: &mut Vec<Diagnostic>) {
+        for (source, item) in likes {
+            let name = item.value.like.as_deref().unwrap_or_default();
+            let Some(other) = self.materials.iter().find(|m| same_name(&m.name, name) && m.like.is_none()).cloned()
+            else {
+                let message = format!("There is no material \"{name}\" with cutting data of its own to be like.");
+                diagnostics.push(source.fault(item, &Fault { path: "like".to_owned(), message }));
+                continue;
+            };
+            let key = item.value.key();
+            if let Some(material) = self.materials.iter_mut().find(|m| m.key() == key) {
+                material.fill_from(&other);
+            }
         }
     }
 
@@ -218,7 +238,7 @@ mod tests {
     fn shipped_files_are_without_fault() {
         let (catalog, diagnostics) = Catalog::shipped_with_diagnostics();
         assert_eq!(diagnostics, []);
-        assert_eq!((catalog.machines.len(), catalog.tools.len(), catalog.materials.len()), (5, 38, 7));
+        assert_eq!((catalog.machines.len(), catalog.tools.len(), catalog.materials.len()), (5, 38, 21));
         assert_eq!(Catalog::load(None), (catalog.clone(), Vec::new()));
         assert_eq!(load(&[]), (catalog, Vec::new()));
     }
@@ -259,7 +279,7 @@ mod tests {
             ("machines/notes.txt", "not read"),
         ]);
         assert_eq!(diagnostics, []);
-        assert_eq!((catalog.machines.len(), catalog.materials.len()), (6, 8));
+        assert_eq!((catalog.machines.len(), catalog.materials.len()), (6, 22));
         assert_eq!(catalog.machine("orac").unwrap().limits.bar_diameter_mm, 20.0);
         assert_eq!(catalog.material("STEEL", Unit::Mm).unwrap().orac.unwrap().feed_cut, 120.0);
     }
@@ -301,6 +321,131 @@ mod tests {
         assert_one_mistake(&fanuc, "[serial]", &["`end_of_block` is missing", "fanuc-reader-punch"]);
         let stray = orac_with("end = 0x04", "end = 0x04\nfolder = \"~/nc\"");
         assert_one_mistake(&stray, "[serial]", &["`folder` means nothing", "orac-pages"]);
+    }
+
+    /// The shipped machine file of this name with one change.
+    fn machine_with(name: &str, from: &str, to: &str) -> String {
+        let source = MACHINES.iter().find(|s| s.name.ends_with(name)).unwrap();
+        assert!(source.text.contains(from), "{from}");
+        source.text.replacen(from, to, 1)
+    }
+
+    #[test]
+    fn mistakes_in_the_words_of_a_control_have_line_value_and_limit() {
+        let bad = |name: &str, from: &str, to: &str, words: &[&str]| {
+            assert_one_mistake(&machine_with(name, from, to), to.lines().next().unwrap(), words);
+        };
+        let swedish = "swedish-1970s.toml";
+        bad(swedish, "x_sign = 1", "x_sign = 2", &["2", "1 or -1"]);
+        bad(swedish, "decimals_mm = 3", "decimals_mm = 9", &["9 digits", "0 to 6"]);
+        bad(swedish, "arc_center = \"absolute\"", "arc_center = \"polar\"", &["polar", "incremental"]);
+        bad(swedish, "{ code = 2, rpm = 63 }", "{ code = 1, rpm = 63 }", &["S1", "twice"]);
+        bad(swedish, "step = 1, digits = 3", "step = 0, digits = 3", &["at least 1"]);
+        bad(swedish, "max_line_chars = 64", "max_line_chars = 6", &["6 characters", "40"]);
+        bad(swedish, "F = { least = 4, most = 4 }", "F = { least = 5, most = 4 }", &["5 digits", "4"]);
+        bad(swedish, "speed = { by = \"table\" }", "speed = { by = \"surface\" }", &["surface_speed"]);
+        bad(swedish, "coolant_on = \"M08\"", "coolant_on = \"8\"", &["\"8\"", "M08"]);
+        bad(swedish, "outline = [[-60, 0]", "outline = [[-60, 80]", &["mm²"]);
+        let fanuc = "fanuc-0i.toml";
+        bad(fanuc, "dialect = \"fanuc\"", "dialect = \"fancy\"", &["fancy", "linuxcnc"]);
+        bad(
+            fanuc,
+            "decimal_point = \"always\"",
+            "zeros = \"drop-leading\"\ndecimal_point = \"always\"",
+            &["decimal point"],
+        );
+        bad(fanuc, "min_rpm = 35", "min_rpm = 35000", &["35000 rev/min", "4500"]);
+        bad(fanuc, "rapid_x_mm_per_min = 24000", "rapid_x_mm_per_min = 0", &["0 mm/min"]);
+        bad(fanuc, "efficiency = 0.85", "efficiency = 85", &["85", "0.1 to 1"]);
+        let library = "mori-fanuc-6t.toml";
+        bad(library, "change_z_mm = 320", "change_z_mm = 32000", &["32000 mm"]);
+        bad(library, "code = \"M41\"", "code = \"low\"", &["low"]);
+    }
+
+    #[test]
+    fn parts_of_a_control_that_its_dialect_lacks_or_needs_are_named() {
+        let text = machine_with("fanuc-0i.toml", "[motion]", "[motion_]");
+        assert!(!load(&[("machines/bad.toml", &text)]).1.is_empty());
+        let slow = machine_with("fanuc-0i.toml", "turret_side", "rapid_feed_mm_per_min = 1000\nturret_side");
+        assert_one_mistake(&slow, "rapid_feed_mm_per_min", &["has no"]);
+        let none = orac_with("rapid_feed_mm_per_min = 1000", "");
+        assert_one_mistake(&none, "dialect = ", &["rapid_feed_mm_per_min", "missing"]);
+    }
+
+    #[test]
+    fn mistakes_in_tools_and_materials_are_named_with_their_line() {
+        let tool = |body: &str| format!("[[tool]]\nid = 'a'\nname = 'a'\n{body}\n");
+        let iso = |insert: &str, holder: &str| {
+            tool(&format!("shape = {{ kind = 'iso', insert = '{insert}', holder = '{holder}' }}"))
+        };
+        let tools = [
+            (iso("CNMG130408", "PCLNR2525M12"), 4, "size \"13\""),
+            (iso("CNMG120408", "PDLNR2525M12"), 4, "holder takes the shape D"),
+            (iso("CNMG120408", "PCLNR2525M16"), 4, "holder takes the size 16"),
+            (tool("shape = { kind = 'button', diameter = 5 }"), 2, "holder is missing"),
+            (tool("shape = { kind = 'button', diameter = 0 }\nshank = { width = 20, length = 99 }"), 4, "0 mm"),
+            (tool("shape = { kind = 'drill', diameter = 20, point_angle = 118, length = 5 }"), 4, "point alone"),
+            (
+                tool(
+                    "shape = { kind = 'drill', diameter = 20, point_angle = 118, length = 90 }\nshank = { width = 9, length = 9 }",
+                ),
+                5,
+                "no `shank`",
+            ),
+            (
+                tool(
+                    "shape = { kind = 'outline', use = 'turning', orientation = 3, nose_radius = 9, corners = [[0,0],[5,0],[5,5]] }\nholder = [[0,0],[5,0],[5,5]]",
+                ),
+                4,
+                "leave room",
+            ),
+            (tool("shape = { kind = 'spoon' }"), 4, "spoon"),
+        ];
+        let operation =
+            "{ operation = 'rough', tool = 'carbide', speed_m_per_min = 0, feed_mm_per_rev = 1, depth_mm = 1 }";
+        let materials = [
+            ("[[material]]\nname = 'x'\nlike = 'cheese'\n".to_owned(), 3, "cheese"),
+            ("[[material]]\nname = 'x'\n".to_owned(), 2, "no cutting data"),
+            (format!("[[material]]\nname = 'x'\noperations = [{operation}]\n"), 3, "0 m/min"),
+            ("[[material]]\nname = 'x'\nlike = 'C45'\nspecific_cutting_force_n_per_mm2 = 1\n".to_owned(), 4, "N/mm²"),
+        ];
+        let cases = tools.iter().map(|case| ("tools/bad.toml", case));
+        for (file, (text, line, word)) in cases.chain(materials.iter().map(|case| ("materials/bad.toml", case))) {
+            let (_, diagnostics) = load(&[(file, text)]);
+            let [diagnostic] = diagnostics.as_slice() else { panic!("{text}: {diagnostics:?}") };
+            assert!(matches!(&diagnostic.at, Place::Line { line: l, .. } if l == line), "{text}: {diagnostic}");
+            assert!(diagnostic.message.contains(word), "{word}: {diagnostic}");
+        }
+    }
+
+    #[test]
+    fn the_published_library_stands_in_its_turret_as_published() {
+        let catalog = Catalog::shipped();
+        let machine = catalog.machine("mori-fanuc-6t").unwrap();
+        let outlines = crate::machine::outlines(machine, &catalog);
+        // Station: RAD, RZ, RX (outwards positive here), WID, ZREF, XREF (positive here).
+        for (station, rad, rz, rx, wid, z, x) in [
+            (1, 2.5, 0.0, 2.5, 0.0, 320.0, 455.0),
+            (2, 0.8, 0.8, 0.8, 0.0, 320.0, 455.0),
+            (3, 0.4, -0.4, 0.4, 0.0, 300.0, 300.0),
+            (5, 0.0, 0.0, 0.0, 6.0, 320.0, 455.0),
+            (6, 0.8, -0.8, 0.8, 0.0, 300.0, 300.0),
+            (7, 0.8, 0.8, 0.8, 0.0, 320.0, 455.0),
+            (8, 0.0, 0.0, 0.0, 4.1, 320.0, 455.0),
+            (10, 0.8, -0.8, 0.8, 0.0, 300.0, 300.0),
+            (11, 0.4, 0.4, 0.4, 0.0, 320.0, 455.0),
+            (12, 0.8, 0.0, 0.8, 0.0, 320.0, 455.0),
+        ] {
+            let outline = &outlines[&station];
+            assert_eq!((outline.nose_radius, outline.nose_center.z, outline.nose_center.r), (rad, rz, rx), "{station}");
+            if wid > 0.0 {
+                let bounds = outline.insert.bounds().unwrap();
+                assert_eq!((bounds.min.z, bounds.max.z), (0.0, wid));
+            }
+            let change = machine.change_position(station).unwrap();
+            assert_eq!((change.z_mm, change.diameter_mm), (z, x));
+        }
+        assert_eq!(outlines.len(), 10);
     }
 
     #[test]

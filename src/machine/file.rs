@@ -9,6 +9,7 @@ use serde::de::DeserializeOwned;
 use toml::de::{DeTable, DeValue};
 
 /// An item of a file that passed its checks, with the place of its values.
+#[derive(Clone)]
 pub(super) struct Item<T> {
     /// The item.
     pub(super) value: T,

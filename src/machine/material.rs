@@ -12,6 +12,10 @@ pub struct Material {
     /// Unit of the row [`Self::orac`].
     #[serde(default)]
     pub unit: Unit,
+    /// Name of another material whose force, mass and operations are this one's too, where it gives none itself. They are
+    /// filled in when the catalog is loaded.
+    #[serde(default)]
+    pub like: Option<String>,
     /// Cutting data of the published ORAC generator; `None` for a material that it does not know.
     #[serde(default)]
     pub orac: Option<OracData>,
@@ -140,6 +144,21 @@ impl Material {
             feed_mm_per_rev: found.feed_mm_per_rev,
             depth_mm: found.depth_mm,
         })
+    }
+}
+
+impl Material {
+    /// Takes from `other` what this material does not give itself.
+    pub(super) fn fill_from(&mut self, other: &Self) {
+        if self.operations.is_empty() {
+            self.operations.clone_from(&other.operations);
+        }
+        if self.specific_cutting_force_n_per_mm2.is_none() {
+            self.specific_cutting_force_n_per_mm2 = other.specific_cutting_force_n_per_mm2;
+            self.mc = other.mc;
+        }
+        self.density_kg_per_dm3 = self.density_kg_per_dm3.or(other.density_kg_per_dm3);
+        self.price_per_kg = self.price_per_kg.or(other.price_per_kg);
     }
 }
 

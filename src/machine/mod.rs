@@ -7,6 +7,8 @@ mod iso;
 mod material;
 mod motion;
 mod outline;
+mod power;
+mod save;
 mod serial;
 mod spindle;
 mod tool;
@@ -15,6 +17,8 @@ mod words;
 pub use material::{CuttingData, CuttingOperation, Material, OperationData, OracData, ToolMaterial};
 pub use motion::{Axis, Motion};
 pub use outline::{ToolKind, ToolOutline, outlines};
+pub use power::Chip;
+pub use save::{Item, save_user, to_toml};
 use serde::{Deserialize, Serialize};
 pub use serial::{
     BAUD, DC1, DC2, DC3, DC4, Delivery, EndOfBlock, FlowControl, FolderProfile, PageMarks, Parity, Protocol,

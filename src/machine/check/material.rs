@@ -38,9 +38,9 @@ pub(in crate::machine) fn material(material: &Material) -> Vec<Fault> {
     if let Some(price) = material.price_per_kg {
         check.range("price_per_kg", price, 0.0..=1e6, "per kg");
     }
-    if material.orac.is_none() && material.operations.is_empty() {
-        check
-            .fault("name", "There are no cutting data: neither `operations` nor `orac`; give at least one.".to_owned());
+    if material.orac.is_none() && material.operations.is_empty() && material.like.is_none() {
+        let message = "There are no cutting data: neither `operations` nor `like` nor `orac`; give at least one.";
+        check.fault("name", message.to_owned());
     }
     operations(&mut check, &material.operations);
     check.0

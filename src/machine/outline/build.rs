@@ -169,7 +169,7 @@ fn free(kind: ToolKind, orientation: u8, nose_radius: f64, corners: &[[f64; 2]],
     let edge_cuts = |edge: usize| if cuts.is_empty() { edge == 0 || edge == last } else { cuts.contains(&edge) };
     let cutting = (0..segments.len()).map(|i| i.checked_sub(nose).is_none_or(edge_cuts)).collect();
     let insert = Contour::new(segments);
-    ToolOutline { insert, holder: Contour::default(), kind, nose_radius, nose_center, orientation, cutting }
+    ToolOutline { insert, kind, nose_radius, nose_center, orientation, cutting, ..ToolOutline::default() }
 }
 
 /// Front edge square to the spindle, flank at `angle` from the nose to the tool's width, body behind it.

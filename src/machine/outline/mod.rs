@@ -7,7 +7,7 @@ mod insert;
 #[cfg(test)]
 mod properties;
 
-use super::{Catalog, Hand, Machine, Tool};
+use super::{Catalog, Hand, Machine, Tool, ToolMaterial};
 use crate::geometry::{Contour, Point, Segment};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -24,6 +24,9 @@ pub struct ToolOutline {
     /// What the tool is for.
     #[serde(default)]
     pub kind: ToolKind,
+    /// What its edge is made of.
+    #[serde(default)]
+    pub edge: ToolMaterial,
     /// Nose radius, mm; 0 for a sharp corner.
     #[serde(default)]
     pub nose_radius: f64,
@@ -112,7 +115,7 @@ impl Tool {
     /// understood, which no catalog holds, has none.
     #[must_use]
     pub fn outline(&self) -> ToolOutline {
-        let built = build::built(self).unwrap_or_default();
+        let built = ToolOutline { edge: self.edge, ..build::built(self).unwrap_or_default() };
         let holder = self.own_holder();
         if holder.is_empty() { built } else { ToolOutline { holder: Contour::polygon(&holder), ..built } }
     }
@@ -176,6 +179,7 @@ impl ToolOutline {
             insert: mirrored(&self.insert),
             holder: mirrored(&self.holder),
             kind: self.kind,
+            edge: self.edge,
             nose_radius: self.nose_radius,
             nose_center,
             orientation,
