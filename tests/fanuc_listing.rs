@@ -1,5 +1,8 @@
 //! The published program of a form-roll for the Fanuc 6T (Wong 1983, Fig. 8.31 a): its moves, posted again, give its text.
 
+#![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
+#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "sequence numbers")]
+
 mod words_scan;
 
 use turnwright::machine::{Catalog, Machine};

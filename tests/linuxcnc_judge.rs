@@ -3,6 +3,9 @@
 //! Runs where `rs274` is installed (package linuxcnc-uspace) and says so where it is not. Programs of other controls are
 //! put into LinuxCNC's words first.
 
+#![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
+#![allow(clippy::print_stdout, clippy::panic, reason = "says what was judged, and stops where the judge objects")]
+
 mod words_scan;
 
 use std::fmt::Write as _;
@@ -16,6 +19,7 @@ use turnwright::post::{Header, Options, post};
 use turnwright::regen::{Cache, regenerate};
 use turnwright::storage::{document_from_text, examples};
 use turnwright::turning::CutterPath;
+use turnwright::units::Unit;
 use words_scan::listing::path_of_listing;
 use words_scan::paths::{Wanted, all_sorts, compare, finish_with_recipe, thread_with_recipe, wanted};
 use words_scan::read::{Step, read};
@@ -129,6 +133,9 @@ fn without_standing(steps: Vec<Step>) -> Vec<Step> {
     }
     moving
 }
+
+/// LinuxCNC prints four decimals, in inches for programs in inches.
+const TOLERANCE_INCH: f64 = 0.003;
 
 fn judge_linuxcnc(path: &CutterPath, tolerance: f64, what: &str) {
     let machine = machine("linuxcnc");
@@ -264,4 +271,28 @@ fn the_thread_that_linuxcnc_cuts_by_itself_is_the_thread_of_the_path() {
         let first = (passes[0].0 - crest).abs();
         assert!((first - 0.3).abs() < TOLERANCE, "the first cut takes {first} mm\n{text}\n{passes:?}");
     }
+}
+
+#[test]
+fn a_program_in_inches_moves_as_the_path() {
+    if !is_installed() {
+        return;
+    }
+    let path = all_sorts();
+    let options = Options { unit: Unit::Inch, ..Options::default() };
+    let output = post("JUDGED", &path, &options, &Header::default(), &machine("linuxcnc"));
+    assert_eq!(output.diagnostics, []);
+    let text = &output.programs[0].text;
+    let mm = |p: Point| Point::new(p.z * 25.4, p.r * 25.4);
+    let in_mm = |step: Step| match step {
+        Step::Rapid { to } => Step::Rapid { to: mm(to) },
+        Step::Line { to, feed } => Step::Line { to: mm(to), feed },
+        Step::Arc { to, center, ccw, feed } => Step::Arc { to: mm(to), center: mm(center), ccw, feed },
+        Step::Thread { to, lead } => Step::Thread { to: mm(to), lead: lead * 25.4 },
+        dwell @ Step::Dwell { .. } => dwell,
+    };
+    let steps = judge(text).unwrap_or_else(|e| panic!("{e}\n{text}"));
+    let steps = without_standing(steps.into_iter().map(in_mm).collect());
+    compare(&steps, &wanted_with_retracts(&path), Point::default(), TOLERANCE_INCH)
+        .unwrap_or_else(|e| panic!("{e}\n{text}"));
 }

@@ -181,13 +181,7 @@ fn fitted(piece: &Segment, from: Counts, to: Counts, grid: &Grid, rules: &ArcRul
 
 /// How far a component lies on the wrong side of the circle's axis, counts; a true component that rounds to 0 has none.
 fn strays(component: f64, truth: f64) -> f64 {
-    if truth.abs() < 0.5 {
-        component.abs()
-    } else if component * truth < 0.0 {
-        component.abs()
-    } else {
-        0.0
-    }
+    if truth.abs() < 0.5 || component * truth < 0.0 { component.abs() } else { 0.0 }
 }
 
 #[allow(clippy::cast_possible_truncation, reason = "`as` saturates; positions are range checked")]

@@ -131,9 +131,9 @@ impl Writer<'_> {
         let start = self.state.exact;
         self.spindle(self.control.fixed(recipe.rpm));
         if self.control.is_linuxcnc() {
-            self.linuxcnc_thread(recipe, start)
+            self.linuxcnc_thread(recipe, start);
         } else {
-            self.fanuc_thread(recipe)
+            self.fanuc_thread(recipe);
         }
         self.state.feed = None;
         self.cycle_done(start);

@@ -19,7 +19,9 @@ struct Clock<'a> {
 
 impl Clock<'_> {
     fn moves(&mut self, moves: &[CutMove], by: Vector) {
-        moves.iter().for_each(|m| self.cut_move(m, by));
+        for cut_move in moves {
+            self.cut_move(cut_move, by);
+        }
     }
 
     fn cut_move(&mut self, cut_move: &CutMove, by: Vector) {
