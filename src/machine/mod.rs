@@ -90,7 +90,7 @@ pub enum Dialect {
     Orac,
     /// Words as Fanuc lathe controls read them, G-code system A.
     Fanuc,
-    /// Words as LinuxCNC reads them on a lathe.
+    /// Words as `LinuxCNC` reads them on a lathe.
     Linuxcnc,
 }
 

@@ -268,7 +268,7 @@ pub enum DwellWord {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Codes {
-    /// Words that follow G21 or G20 in the first block: `G18 G40 G80 G99`. On LinuxCNC those that its programs need come
+    /// Words that follow G21 or G20 in the first block: `G18 G40 G80 G99`. On `LinuxCNC` those that its programs need come
     /// first by themselves.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub start: String,

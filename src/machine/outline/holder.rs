@@ -14,6 +14,8 @@ const OUT_OF_INSERT: f64 = 0.25;
 const HEAD_RELIEF_DEG: f64 = 8.0;
 /// Steepest flank of a head, degrees from z.
 const STEEPEST_DEG: f64 = 80.0;
+/// Flank of a head behind a threading insert, degrees from z.
+const BROAD_HEAD_DEG: f64 = 35.0;
 /// Length of a head in widths of its shank.
 const HEAD_IN_WIDTHS: f64 = 1.3;
 /// Length of a bar outside its sleeve in diameters: what steel bars bear (Sandvik Coromant, boring).
@@ -86,12 +88,15 @@ impl Under {
         let out_trailing = trailing_end + (at(insert.trailing_end + 1) - trailing_end) * OUT_OF_INSERT;
         let out_leading = leading_end + (at(insert.leading_end + count - 1) - leading_end) * OUT_OF_INSERT;
         let last_edge = trailing_end - at(insert.trailing_end + count - 1);
+        let back_edge = unit(at(insert.trailing_end + 1) - trailing_end);
         let flank = last_edge.y.atan2(last_edge.x) + HEAD_RELIEF_DEG.to_radians();
+        // Behind a back edge that lies along the spindle the head is broad.
+        let steepest = if back_edge.x < -0.95 { BROAD_HEAD_DEG } else { STEEPEST_DEG };
         Self {
             tip: under_tip,
             trailing: [near(next), out_trailing],
             leading: [near(last), out_leading],
-            flank: flank.clamp(HEAD_RELIEF_DEG.to_radians(), STEEPEST_DEG.to_radians()),
+            flank: flank.clamp(HEAD_RELIEF_DEG.to_radians(), steepest.to_radians()),
         }
     }
 }
