@@ -209,24 +209,33 @@ fn the_published_form_roll_is_accepted_and_moves_as_the_listing() {
     }
 }
 
+/// Judges every clamping of a document.
+fn judge_document(document: Document, what: &str) {
+    let derived = regenerate(&Arc::new(document), &catalog(), &mut Cache::default(), &Cancel::default()).unwrap();
+    for setup in &derived.setups {
+        if setup.path.operations.iter().all(|o| o.moves.is_empty()) {
+            println!("{}, {what}: there are no moves; not judged", setup.name);
+            continue;
+        }
+        judge_linuxcnc(&setup.path, TOLERANCE, &format!("{}, {what}", setup.name));
+    }
+}
+
 #[test]
-fn planned_examples_are_accepted_and_move_as_planned() {
+fn examples_are_accepted_and_move_as_planned_and_as_instructed() {
     if !is_installed() {
         return;
     }
     for example in examples() {
         let mut document: Document = document_from_text(example.name, example.text).unwrap();
         let Content::TurnedPart(part) = &mut document.content;
+        if matches!(part.generator, Generator::Cycles { .. }) {
+            judge_document(document.clone(), "by published cycles");
+        }
+        let Content::TurnedPart(part) = &mut document.content;
         part.machine = "linuxcnc".to_owned();
         part.generator = Generator::Planned { separate_programs: false };
-        let derived = regenerate(&Arc::new(document), &catalog(), &mut Cache::default(), &Cancel::default()).unwrap();
-        for setup in &derived.setups {
-            if setup.path.operations.iter().all(|o| o.moves.is_empty()) {
-                println!("{}: the planner makes nothing of it yet; not judged", setup.name);
-                continue;
-            }
-            judge_linuxcnc(&setup.path, TOLERANCE, &setup.name);
-        }
+        judge_document(document, "planned");
     }
 }
 
