@@ -44,6 +44,19 @@ pub enum Cycle {
     Pocket,
 }
 
+impl Cycle {
+    /// Name for people.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Rough => "rough",
+            Self::Groove => "groove",
+            Self::Finish => "finish",
+            Self::Pocket => "pocket",
+        }
+    }
+}
+
 /// A straight line along which a tool enters the material.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -57,6 +70,21 @@ pub struct CutIn {
 }
 
 impl Instruction {
+    /// Every figure with its key in a file.
+    #[must_use]
+    pub fn figures(&self) -> Vec<(&'static str, f64)> {
+        let own = [
+            ("stock_left", self.stock_left),
+            ("depth", self.depth),
+            ("speed_m_per_min", self.speed_m_per_min),
+            ("feed_per_rev", self.feed_per_rev),
+        ];
+        let line = self
+            .cut_in
+            .map(|c| [("cut_in.z", c.z), ("cut_in.diameter", c.diameter), ("cut_in.angle_deg", c.angle_deg)]);
+        own.into_iter().chain(line.into_iter().flatten()).collect()
+    }
+
     /// The instruction with every length multiplied by `factor`, as when the unit changes.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {

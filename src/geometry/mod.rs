@@ -6,6 +6,7 @@
 mod contour;
 mod inside;
 mod intersection;
+mod meeting;
 mod nearest;
 mod point;
 mod segment;

@@ -2,7 +2,7 @@
 //! saved can be opened again. Whether the part can be made is a question for the part's own checks, not for this one.
 
 use crate::diagnostic::{Column, Place, SectionTable};
-use crate::document::{Content, Document, Ends, FORMAT_VERSION, ParabolaCut, TurnedPart};
+use crate::document::{Content, Document, Ends, FORMAT_VERSION, Generator, ParabolaCut, TurnedPart};
 use crate::part::{STARTS, Section, SectionKind};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -82,6 +82,15 @@ fn part_faults(part: &TurnedPart, faults: &mut Vec<Fault>) {
     for (key, value) in [("form_tolerance", Some(part.form_tolerance)), ("generator.parabolas.tolerance", tolerance)] {
         if let Some(value) = value.filter(|v| !(v.is_finite() && *v > 0.0)) {
             add(key, Place::Document, format!("The tolerance is {value}; it must be a number greater than 0."));
+        }
+    }
+    if let Generator::Cycles { instructions } = &part.generator {
+        for (index, instruction) in instructions.iter().enumerate() {
+            for (key, value) in instruction.figures() {
+                if !value.is_finite() {
+                    add(&format!("generator.instructions.{index}.{key}"), Place::Document, not_finite(value));
+                }
+            }
         }
     }
     let mut rows_by_id = BTreeMap::new();
