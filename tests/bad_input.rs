@@ -100,6 +100,48 @@ fn every_beginning_of_a_cad_siz_or_end_file_is_refused_or_read() {
     }
 }
 
+const ROLL: &str = include_str!("cases/1470b/E1470b-2T.txt");
+const INSTRUCTIONS: &str = include_str!("cases/1470b/CU1470b-2T.json");
+
+#[test]
+fn every_beginning_of_a_roll_profile_or_its_instructions_is_refused() {
+    for end in 0..ROLL.trim_end().len() {
+        let outcome = import::roll("cut.txt", &ROLL[..end]);
+        assert_honest(&outcome, &format!("profile cut at {end}"));
+        assert!(outcome.is_err(), "profile cut at {end}");
+    }
+    let (document, _) = import::roll("roll.txt", ROLL).unwrap();
+    for end in (0..INSTRUCTIONS.trim_end().len()).filter(|&end| INSTRUCTIONS.is_char_boundary(end)) {
+        let outcome = import::instructions("cut.json", &INSTRUCTIONS[..end], document.clone());
+        assert_honest(&outcome, &format!("instructions cut at {end}"));
+        assert!(outcome.is_err(), "instructions cut at {end}");
+    }
+}
+
+#[test]
+fn random_changes_of_a_roll_profile_or_its_instructions_are_refused_or_harmless() {
+    let (document, _) = import::roll("roll.txt", ROLL).unwrap();
+    let mut random = Random(7);
+    for round in 0..1500 {
+        let mut changed = |text: &str| {
+            let mut bytes = text.as_bytes().to_vec();
+            for _ in 0..=random.below(3) {
+                let at = random.below(bytes.len());
+                match random.below(3) {
+                    0 => bytes[at] = b"-.e9 0\"{}[],:"[random.below(13)],
+                    1 => drop(bytes.remove(at)),
+                    _ => bytes.insert(at, u8::try_from(32 + random.below(95)).unwrap()),
+                }
+            }
+            String::from_utf8_lossy(&bytes).into_owned()
+        };
+        let (profile, instructions) = (changed(ROLL), changed(INSTRUCTIONS));
+        assert_honest(&import::roll("bad.txt", &profile), &format!("profile of round {round}"));
+        let outcome = import::instructions("bad.json", &instructions, document.clone());
+        assert_honest(&outcome, &format!("instructions of round {round}"));
+    }
+}
+
 #[test]
 fn a_drawing_cut_anywhere_is_refused() {
     let files = files();
@@ -195,6 +237,7 @@ fn empty_missing_foreign_and_oversized_files_and_folders_are_refused() {
         ("cad", "cad-truncated"),
         ("dxf", "dxf-truncated"),
         ("tsv", "no-sections"),
+        ("txt", "roll-truncated"),
         ("xyz", "unknown-file-kind"),
     ] {
         let path = folder.path().join("empty").with_extension(extension);
@@ -205,7 +248,7 @@ fn empty_missing_foreign_and_oversized_files_and_folders_are_refused() {
         refused(&path, "not-a-file");
         refused(&folder.path().join("missing").with_extension(extension), "file-unreadable");
     }
-    for extension in ["turn", "cad", "tsv"] {
+    for extension in ["turn", "cad", "tsv", "txt"] {
         let path = folder.path().join("bytes").with_extension(extension);
         fs::write(&path, b"{\n\xff\xfe").unwrap();
         refused(&path, "not-utf8");

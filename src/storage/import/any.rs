@@ -1,6 +1,7 @@
 //! Opening any file that holds a part.
 
-use super::{CadTexts, Imported, cad, dxf, name_of, tsv};
+use super::roll::is_roll;
+use super::{CadTexts, Imported, cad, dxf, instructions, name_of, roll, tsv};
 use crate::diagnostic::Diagnostic;
 use crate::document::Document;
 use crate::part::Section;
@@ -19,11 +20,13 @@ enum Kind {
     Cad,
     Dxf,
     Table,
+    Roll,
 }
 
-/// Opens a document (`.turn`) or imports an ORACAP part (`.CAD`, with `.SIZ` and `.END` beside it), a profile (`.dxf`) or
-/// a section table (`.tsv`, in mm, with that of a bore as `NAME.bore.tsv` beside it). The kind goes by the extension, or by the content where there is none that is known.
-/// A file that names no machine gets `default_machine`.
+/// Opens a document (`.turn`) or imports an ORACAP part (`.CAD`, with `.SIZ` and `.END` beside it), a profile (`.dxf`),
+/// a section table (`.tsv`, in mm, with that of a bore as `NAME.bore.tsv` beside it) or the profile of a form-roll
+/// (`.txt`, in E layout). The kind goes by the extension, or by the content where there is none that is known. A file
+/// that names no machine gets `default_machine`, a form-roll the lathe of the published ones.
 ///
 /// Returns the document and what there is to say about it.
 ///
@@ -42,7 +45,20 @@ pub fn any(path: &Path, default_machine: &str) -> Result<(Document, Vec<Diagnost
             dxf(&path.display().to_string(), &name_of(path), &bytes, default_machine)
         }
         Kind::Table => any_table(path, default_machine),
+        Kind::Roll => {
+            let text = textfile::read(path, MOST_BYTES).map_err(|d| vec![d])?;
+            roll(&path.display().to_string(), &text)
+        }
     }
+}
+
+/// Gives a document the cutting instructions of a CU file (`.json`) for the published form-roll cycles.
+///
+/// # Errors
+/// Diagnostics with file, line, field, value and limit if the file cannot be used.
+pub fn with_instructions(document: Document, path: &Path) -> Result<(Document, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let text = textfile::read(path, MOST_BYTES).map_err(|d| vec![d])?;
+    instructions(&path.display().to_string(), &text, document)
 }
 
 fn kind_by_extension(path: &Path) -> Option<Kind> {
@@ -51,6 +67,7 @@ fn kind_by_extension(path: &Path) -> Option<Kind> {
         "cad" => Some(Kind::Cad),
         "dxf" => Some(Kind::Dxf),
         "tsv" => Some(Kind::Table),
+        "txt" => Some(Kind::Roll),
         _ => None,
     }
 }
@@ -64,12 +81,13 @@ fn kind_by_content(path: &Path) -> Result<Kind, Diagnostic> {
         _ if has("SECTION") && has("ENTITIES") => Ok(Kind::Dxf),
         _ if has("PART=") && has("INCH=") => Ok(Kind::Cad),
         _ if has("z1\td1") => Ok(Kind::Table),
+        _ if is_roll(&text) => Ok(Kind::Roll),
         _ => {
             let shown: String = text.chars().take(20).collect();
             let message =
                 format!("This is no kind of file that holds a part ({} bytes, beginning with {shown:?}).", bytes.len());
             Err(Diagnostic::error("unknown-file-kind", file_place(path), message)
-                .with_hint("Open a .turn document, an ORACAP .CAD file, a .dxf profile or a .tsv section table."))
+                .with_hint("Open a .turn document, an ORACAP .CAD file, a .dxf profile, a .tsv section table or the .txt profile of a roll."))
         }
     }
 }

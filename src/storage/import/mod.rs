@@ -5,11 +5,15 @@ mod cad;
 mod dxf;
 mod dxf_profile;
 mod dxf_segments;
+mod instructions;
+mod roll;
 mod table;
 
-pub use any::any;
+pub use any::{any, with_instructions};
 pub use cad::{CadTexts, cad};
 pub use dxf::dxf;
+pub use instructions::instructions;
+pub use roll::roll;
 pub use table::tsv;
 
 use crate::diagnostic::Diagnostic;
