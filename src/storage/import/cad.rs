@@ -299,6 +299,10 @@ mod tests {
     fn every_example_goes_out_and_comes_back() {
         for example in examples() {
             let document = document_from_text(example.name, example.text).unwrap();
+            let Content::TurnedPart(part) = &document.content;
+            if part.machine != "orac" {
+                continue; // The format holds neither machine nor generator.
+            }
             let (texts, _) = export::cad(&document);
             let (again, diagnostics) = cad("x.CAD", example.name, &texts, "orac").unwrap();
             assert_eq!(diagnostics, []);

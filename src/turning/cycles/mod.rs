@@ -72,7 +72,12 @@ pub fn generate(task: &Task<'_>, instructions: &[Instruction]) -> (CutterPath, V
 /// The row where an instruction begins, if there is one.
 fn place(task: &Task<'_>, id: u32) -> Place {
     let row = task.part_mm.sections.iter().position(|s| s.id == id);
-    row.map_or(Place::Document, |index| Place::Section { id, table: SectionTable::Outside, row: index + 1, column: None })
+    row.map_or(Place::Document, |index| Place::Section {
+        id,
+        table: SectionTable::Outside,
+        row: index + 1,
+        column: None,
+    })
 }
 
 fn operation(
