@@ -61,8 +61,8 @@ fn judge(text: &str) -> Result<Vec<Step>, String> {
     };
     let ini = "[EMC]\nMACHINE=judge\n[RS274NGC]\nPARAMETER_FILE=judge.var\n[EMCIO]\nTOOL_TABLE=judge.tbl\n[TRAJ]\nAXES=3\n\
                COORDINATES=X Z\nLINEAR_UNITS=mm\nANGULAR_UNITS=degree\n[DISPLAY]\nLATHE=1\n";
-    let tools: String = (1..=12).map(|t| format!("T{t} P{t} X0 Z0 D0\n")).collect();
-    let (ini, tools) = (file("judge.ini", ini), file("judge.tbl", &tools));
+    let tools: Vec<String> = (1..=12).map(|t| format!("T{t} P{t} X0 Z0 D0\n")).collect();
+    let (ini, tools) = (file("judge.ini", ini), file("judge.tbl", &tools.concat()));
     let (vars, program, out) = (file("judge.var", ""), file("program.ngc", text), dir.path().join("out"));
     let run = Command::new("rs274")
         .arg("-g")

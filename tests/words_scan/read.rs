@@ -65,9 +65,7 @@ impl Reader<'_> {
     fn target(&self, block: &[Word]) -> Option<Point> {
         let (x, z) = (self.length(block, 'X'), self.length(block, 'Z'));
         let (u, w) = (self.length(block, 'U'), self.length(block, 'W'));
-        if x.or(z).or(u).or(w).is_none() {
-            return None;
-        }
+        x.or(z).or(u).or(w)?;
         let r = x.map_or(self.at.r + u.unwrap_or(0.0) / self.x_per_radius(), |x| x / self.x_per_radius());
         Some(Point::new(z.unwrap_or(self.at.z + w.unwrap_or(0.0)), r))
     }
