@@ -79,7 +79,7 @@ mod tests {
                 let (dz, dr) = ((s.z2 - s.z1).abs(), (s.d2 - s.d1).abs() / 2.0);
                 match s.kind {
                     SectionKind::Line => {
-                        assert!(dz == 0.0 || dr == 0.0 || dz.max(dr) / dz.min(dr) < limits.taper_ratio, "{s:?}")
+                        assert!(dz == 0.0 || dr == 0.0 || dz.max(dr) / dz.min(dr) < limits.taper_ratio, "{s:?}");
                     }
                     SectionKind::Concave { radius } | SectionKind::Convex { radius } => {
                         assert!(

@@ -47,7 +47,7 @@ fn positions(job: &Job<'_>, width: f64) -> Result<Vec<f64>, Fault> {
         let message = format!("The area is {:.3} mm wide; the blade is {width:.3} mm.", (way + width).max(0.0));
         return Err(Fault::new("groove-narrow", message, "Use a narrower blade, or groove more elements."));
     }
-    if !(steps < MOST_PLUNGES) {
+    if !steps.is_finite() || steps >= MOST_PLUNGES {
         let message =
             format!("With a blade of {width} mm the area takes {steps} plunges; at most {MOST_PLUNGES} are made.");
         return Err(Fault::new("groove-blade", message, "Use a wider blade."));

@@ -69,7 +69,7 @@ impl<'a> Job<'a> {
 
     /// No moves yet.
     pub(super) const fn moves(&self) -> Moves {
-        Moves { tool: self.tool, cut: self.cut, moves: Vec::new() }
+        Moves { tool: self.tool, cut: self.cut, made: Vec::new() }
     }
 }
 
@@ -78,18 +78,18 @@ impl<'a> Job<'a> {
 pub(super) struct Moves {
     tool: CycleTool,
     cut: Cut,
-    moves: Vec<CutMove>,
+    made: Vec<CutMove>,
 }
 
 impl Moves {
     /// At rapid with the programmed point to `to`.
     pub(super) fn rapid(&mut self, to: Point) {
-        self.moves.push(CutMove::Rapid { to });
+        self.made.push(CutMove::Rapid { to });
     }
 
     /// At feed with the programmed point to `to`.
     pub(super) fn line(&mut self, to: Point) {
-        self.moves.push(CutMove::Line { to, cut: self.cut });
+        self.made.push(CutMove::Line { to, cut: self.cut });
     }
 
     /// At feed with the centre of the nose to `center`.
@@ -104,7 +104,7 @@ impl Moves {
                 Segment::Line { end, .. } => self.nose_to(end),
                 Segment::Arc { end, center, ccw, .. } => {
                     let (to, center) = (self.tool.tip(end), self.tool.tip(center));
-                    self.moves.push(CutMove::Arc { to, center, ccw, cut: self.cut });
+                    self.made.push(CutMove::Arc { to, center, ccw, cut: self.cut });
                 }
             }
         }
@@ -112,6 +112,6 @@ impl Moves {
 
     /// The moves in order.
     pub(super) fn into_moves(self) -> Vec<CutMove> {
-        self.moves
+        self.made
     }
 }
