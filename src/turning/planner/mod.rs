@@ -1,11 +1,66 @@
 //! The planner: from stock, contour, holding, tools and material to a complete ordered plan.
+//!
+//! Everything is a function of z made of lines and arcs: the finished contour, the stock that is left, and for every tool
+//! the lowest place that its programmed point may take. That limit is the contour pushed off by the tool's true outline,
+//! insert and holder ([`dilate`]); it is the exact path of the finishing pass, nose radius and all, and whatever lies on or
+//! above it neither gouges nor collides. The stock after a pass is what the insert leaves below it, by the same operation.
+//!
+//! | file | duty |
+//! |---|---|
+//! | `piece`, `chain` | functions of z: values, the larger of two, where one is above the other |
+//! | `outline`, `shape`, `dilate` | outlines of tools turned over and rolled along functions |
+//! | `tool`, `work` | what a tool is for; contour, jaws, stock, limits |
+//! | `trace`, `corner`, `path`, `link` | limits as paths that a control can take; moves; ways through air |
+//! | `rough`, `follow`, `groove`, `thread`, `part_off` | one kind of operation each |
+//! | `left` | what no tool could reach |
+//! | `conditions`, `order` | feeds, speeds, depths; which tool does what, and when |
+
+mod chain;
+mod conditions;
+mod corner;
+mod dilate;
+mod follow;
+mod groove;
+mod left;
+mod link;
+mod order;
+mod outline;
+mod part_off;
+mod path;
+mod piece;
+mod rough;
+mod shape;
+mod thread;
+mod tool;
+mod trace;
+mod work;
 
 use super::{CutterPath, Task};
-use crate::diagnostic::{Diagnostic, Place};
+use crate::diagnostic::Diagnostic;
+use crate::geometry::Point;
+use crate::machine::ZeroEnd;
+use crate::part;
+
+/// How far arcs may leave a parabola of the contour in a planned path, mm.
+const PARABOLA_TOLERANCE_MM: f64 = 0.002;
 
 /// The planned cutter path of a set-up.
 #[must_use]
-pub fn plan(_task: &Task<'_>) -> (CutterPath, Vec<Diagnostic>) {
-    let message = "This version cannot plan operations; choose the published generator.";
-    (CutterPath::default(), vec![Diagnostic::error("no-planner", Place::Document, message)])
+pub fn plan(task: &Task<'_>) -> (CutterPath, Vec<Diagnostic>) {
+    let (setup, machine) = (task.setup, task.machine);
+    let datum = Point::new(
+        setup.length + machine.datum.axial_clearance_mm,
+        setup.bar_radius + machine.datum.radial_clearance_mm,
+    );
+    let zero_z = match machine.datum.zero {
+        ZeroEnd::FreeEnd => setup.length,
+        ZeroEnd::ClampedEnd => 0.0,
+    };
+    let contour = part::contour(&setup.profile, PARABOLA_TOLERANCE_MM);
+    let mut order = order::Order::new(task, &contour, datum, zero_z);
+    if datum.is_finite() && !contour.contour.segments.is_empty() {
+        order.plan(setup, &contour);
+    }
+    let (operations, diagnostics) = order.done();
+    (CutterPath { datum, program_zero_z: zero_z, operations }, diagnostics)
 }

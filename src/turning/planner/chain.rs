@@ -1,0 +1,259 @@
+//! A function of z made of lines and arcs, with jumps and gaps: surfaces, limits of tools, remaining stock.
+
+use super::piece::{Piece, SAME_MM};
+
+/// Values nearer than this are equal when the larger of two functions is sought, mm: what rounding makes of one value.
+const EQUAL_MM: f64 = 1e-10;
+
+/// Pieces in order of z; neighbours may differ in value (a face) and may have a gap between them (no value there).
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Chain {
+    pub(super) pieces: Vec<Piece>,
+}
+
+/// A stretch along z, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Run {
+    pub(super) z0: f64,
+    pub(super) z1: f64,
+}
+
+impl Run {
+    /// Its length, mm.
+    pub(super) const fn width(&self) -> f64 {
+        self.z1 - self.z0
+    }
+}
+
+impl Chain {
+    /// A level line.
+    pub(super) fn level(z0: f64, z1: f64, r: f64) -> Self {
+        Self { pieces: vec![Piece::level(z0, z1, r)] }
+    }
+
+    /// Adds a piece behind the others, joined to the last one if it continues it.
+    fn push(&mut self, piece: Piece) {
+        match self.pieces.last_mut() {
+            Some(last) if last.form == piece.form && piece.z0 - last.z1 <= SAME_MM => last.z1 = piece.z1,
+            _ => self.pieces.push(piece),
+        }
+    }
+
+    fn push_part(&mut self, piece: &Piece, z0: f64, z1: f64) {
+        if z1 - z0 > SAME_MM {
+            self.push(Piece { z0, z1, form: piece.form });
+        }
+    }
+
+    /// The pieces that reach into a stretch.
+    pub(super) fn over(&self, z0: f64, z1: f64) -> impl Iterator<Item = &Piece> {
+        let first = self.pieces.partition_point(|p| p.z1 <= z0);
+        self.pieces.iter().skip(first).take_while(move |p| p.z0 < z1)
+    }
+
+    /// The part between two positions.
+    pub(super) fn clipped(&self, z0: f64, z1: f64) -> Self {
+        Self { pieces: self.over(z0, z1).filter_map(|p| p.clipped(z0, z1)).collect() }
+    }
+
+    /// The larger value at `z` of the pieces that end or begin there; `None` in a gap.
+    pub(super) fn at(&self, z: f64) -> Option<f64> {
+        let first = self.pieces.partition_point(|p| p.z1 < z);
+        let here = self.pieces.iter().skip(first).take_while(|p| p.z0 <= z);
+        here.map(|p| p.at(z)).reduce(f64::max)
+    }
+
+    /// Largest value in a stretch; −∞ in a gap.
+    pub(super) fn highest(&self, z0: f64, z1: f64) -> f64 {
+        let inside = self.over(z0, z1).filter_map(|p| p.clipped(z0, z1)).map(|p| p.highest());
+        inside.fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// The function with its sign turned.
+    pub(super) fn negated(&self) -> Self {
+        Self { pieces: self.pieces.iter().map(Piece::negated).collect() }
+    }
+
+    /// The larger of two functions; where one has a gap, the other.
+    pub(super) fn max(&self, other: &Self) -> Self {
+        let mut out = Self { pieces: Vec::with_capacity(self.pieces.len() + other.pieces.len()) };
+        let (mut i, mut j) = (0, 0);
+        let mut from = f64::NEG_INFINITY;
+        loop {
+            match (self.pieces.get(i), other.pieces.get(j)) {
+                (Some(f), Some(g)) => {
+                    let (f0, g0) = (f.z0.max(from), g.z0.max(from));
+                    if f.z1 <= g0 {
+                        out.push_part(f, f0, f.z1);
+                        i += 1;
+                    } else if g.z1 <= f0 {
+                        out.push_part(g, g0, g.z1);
+                        j += 1;
+                    } else {
+                        if f0 < g0 {
+                            out.push_part(f, f0, g0);
+                        } else {
+                            out.push_part(g, g0, f0);
+                        }
+                        let (z0, z1) = (f0.max(g0), f.z1.min(g.z1));
+                        out.push_larger(f, g, z0, z1);
+                        from = z1;
+                        i += usize::from(f.z1 <= z1);
+                        j += usize::from(g.z1 <= z1);
+                    }
+                }
+                (Some(f), None) => {
+                    out.push_part(f, f.z0.max(from), f.z1);
+                    i += 1;
+                }
+                (None, Some(g)) => {
+                    out.push_part(g, g.z0.max(from), g.z1);
+                    j += 1;
+                }
+                (None, None) => return out,
+            }
+        }
+    }
+
+    /// The larger of two pieces over a stretch that both cover.
+    fn push_larger(&mut self, f: &Piece, g: &Piece, z0: f64, z1: f64) {
+        if z1 - z0 <= SAME_MM {
+            return;
+        }
+        let (f, g) = (Piece { z0, z1, ..*f }, Piece { z0, z1, ..*g });
+        let mut from = z0;
+        for to in f.meets(&g).iter().chain([z1]) {
+            let middle = f64::midpoint(from, to);
+            let larger = if g.at(middle) > f.at(middle) + EQUAL_MM { &g } else { &f };
+            self.push_part(larger, from, to);
+            from = to;
+        }
+    }
+
+    /// The smaller of two functions; where one has a gap, the other.
+    pub(super) fn min(&self, other: &Self) -> Self {
+        self.negated().max(&other.negated()).negated()
+    }
+
+    /// The largest of many functions, joined two by two: n·log n for functions that are short and lie side by side.
+    pub(super) fn largest(all: &[Self]) -> Self {
+        match all {
+            [] => Self::default(),
+            [only] => only.clone(),
+            [first, second] => first.max(second),
+            _ => {
+                let (left, right) = all.split_at(all.len() / 2);
+                Self::largest(left).max(&Self::largest(right))
+            }
+        }
+    }
+
+    /// Where the function is not above `level`, in order of z; gaps do not count.
+    pub(super) fn runs_below(&self, level: f64) -> Vec<Run> {
+        self.runs(|p| p.at(f64::midpoint(p.z0, p.z1)) <= level, level)
+    }
+
+    /// Where the function is above `level`, in order of z.
+    pub(super) fn runs_above(&self, level: f64) -> Vec<Run> {
+        self.runs(|p| p.at(f64::midpoint(p.z0, p.z1)) > level, level)
+    }
+
+    fn runs(&self, wanted: impl Fn(&Piece) -> bool, level: f64) -> Vec<Run> {
+        let mut runs: Vec<Run> = Vec::new();
+        for piece in &self.pieces {
+            let mut from = piece.z0;
+            for to in piece.meets(&Piece::level(piece.z0, piece.z1, level)).iter().chain([piece.z1]) {
+                if wanted(&Piece { z0: from, z1: to, ..*piece }) {
+                    join(&mut runs, Run { z0: from, z1: to });
+                }
+                from = to;
+            }
+        }
+        runs
+    }
+
+    /// Where the function is more than `by` above `other`; where `other` has a gap it counts as being far below.
+    pub(super) fn runs_over(&self, other: &Self, by: f64) -> Vec<Run> {
+        let mut runs: Vec<Run> = Vec::new();
+        for f in &self.pieces {
+            let mut from = f.z0;
+            for g in other.over(f.z0, f.z1) {
+                let (z0, z1) = (g.z0.max(f.z0), g.z1.min(f.z1));
+                if z0 - from > SAME_MM {
+                    join(&mut runs, Run { z0: from, z1: z0 });
+                }
+                from = z1;
+                if z1 - z0 > SAME_MM {
+                    over_by(&Piece { z0, z1, ..*f }, &Piece { z0, z1, ..*g }, by, &mut runs);
+                }
+            }
+            if f.z1 - from > SAME_MM {
+                join(&mut runs, Run { z0: from, z1: f.z1 });
+            }
+        }
+        runs
+    }
+}
+
+fn over_by(f: &Piece, g: &Piece, by: f64, runs: &mut Vec<Run>) {
+    let raised = g.raised(by);
+    let mut from = f.z0;
+    for to in f.meets(&raised).iter().chain([f.z1]) {
+        let middle = f64::midpoint(from, to);
+        if f.at(middle) > raised.at(middle) {
+            join(runs, Run { z0: from, z1: to });
+        }
+        from = to;
+    }
+}
+
+fn join(runs: &mut Vec<Run>, run: Run) {
+    match runs.last_mut() {
+        Some(last) if run.z0 - last.z1 <= SAME_MM => last.z1 = run.z1,
+        _ => runs.push(run),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Point;
+    use proptest::prelude::*;
+
+    fn chain(corners: &[f64]) -> Chain {
+        let points: Vec<Point> = corners.iter().enumerate().map(|(k, &r)| Point::new(k as f64, r)).collect();
+        Chain { pieces: points.windows(2).map(|w| Piece::line(w[0], w[1])).collect() }
+    }
+
+    proptest! {
+        #[test]
+        fn the_larger_function_is_the_larger_value(
+            a in proptest::collection::vec(0.0..9.0_f64, 2..9), b in proptest::collection::vec(0.0..9.0_f64, 2..9),
+            shift in 0.0..5.0_f64,
+        ) {
+            let (f, mut g) = (chain(&a), chain(&b));
+            g.pieces.iter_mut().for_each(|p| *p = p.shifted(shift, 0.0));
+            let (larger, smaller) = (f.max(&g), f.min(&g));
+            for k in 0..97 {
+                let z = f64::from(k) * 0.137 + 1e-5;
+                let both = [f.at(z), g.at(z)];
+                let expected = both.into_iter().flatten().reduce(f64::max);
+                prop_assert_eq!(larger.at(z).is_some(), expected.is_some());
+                prop_assert!((larger.at(z).unwrap_or(0.0) - expected.unwrap_or(0.0)).abs() < 1e-6);
+                let least = both.into_iter().flatten().reduce(f64::min);
+                prop_assert!((smaller.at(z).unwrap_or(0.0) - least.unwrap_or(0.0)).abs() < 1e-6);
+                if let [Some(f), Some(g)] = both {
+                    let inside = chain(&a).runs_over(&larger.min(&smaller), 0.5).iter().any(|r| r.z0 <= z && z <= r.z1);
+                    prop_assert!(inside == (f > f.min(g) + 0.5) || (f - f.min(g) - 0.5).abs() < 1e-6);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn runs_below_a_level_are_joined_over_pieces() {
+        let runs = chain(&[4.0, 2.0, 2.0, 4.0, 0.0]).runs_below(3.0);
+        assert_eq!(runs, [Run { z0: 0.5, z1: 2.5 }, Run { z0: 3.25, z1: 4.0 }]);
+        assert_eq!(chain(&[4.0, 2.0, 4.0]).runs_above(3.0).len(), 2);
+    }
+}

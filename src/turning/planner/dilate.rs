@@ -1,0 +1,152 @@
+//! Pushing a body against a function: where the body's reference point may be without the two overlapping.
+//!
+//! With a tool turned over as the body this gives the lowest programmed point at every z, exactly: lines and arcs rolled
+//! along lines and arcs are lines and arcs, and the limit is the largest of what every piece of the surface allows. There is
+//! no offset contour to be trimmed, so nothing can be lost or left crossing itself.
+//!
+//! A surface without overhang is met from above by the lower side of insert and holder only, and a point that the lower side
+//! keeps clear of is clear of the whole tool; so functions of z say all.
+
+use super::chain::Chain;
+use super::piece::{Form, Piece};
+use super::shape::{Concave, Shape};
+use crate::geometry::Point;
+
+impl Shape {
+    /// The largest of the shape's boundary put on every point of `surface`.
+    pub(super) fn over(&self, surface: &Chain) -> Chain {
+        let leaves: Vec<Chain> = surface
+            .pieces
+            .iter()
+            .flat_map(|piece| self.parts.iter().map(move |part| over_piece(part, piece)))
+            .collect();
+        Chain::largest(&leaves)
+    }
+
+    /// The shape's boundary put on one point.
+    pub(super) fn at(&self, p: Point) -> Chain {
+        Chain::largest(&self.parts.iter().map(|part| part.put_on(p)).collect::<Vec<_>>())
+    }
+}
+
+impl Concave {
+    fn put_on(&self, p: Point) -> Chain {
+        Chain { pieces: self.chain.pieces.iter().map(|piece| piece.shifted(p.z, p.r)).collect() }
+    }
+}
+
+fn over_piece(part: &Concave, piece: &Piece) -> Chain {
+    match piece.form {
+        Form::Arc { center, radius, upper: false } => over_hollow(part, piece, center, radius),
+        _ => part.rolled_along(piece),
+    }
+}
+
+/// In a hollow the ends hold the shape off; between them only roundings of a smaller radius and sharp corners touch.
+fn over_hollow(part: &Concave, piece: &Piece, center: Point, radius: f64) -> Chain {
+    let mut over = part.put_on(piece.left()).max(&part.put_on(piece.right()));
+    // Normals point from the hollow to its centre; they turn to the left along z.
+    let normal = |z: f64| ((center.z - z) / radius).clamp(-1.0, 1.0).acos();
+    let (first, last) = (normal(piece.z0), normal(piece.z1));
+    for rounding in part.roundings() {
+        let (low, high) = (first.max(rounding.to), last.min(rounding.from));
+        if rounding.radius < radius && low < high {
+            let middle = Point::new(center.z + rounding.center.z, center.r + rounding.center.r);
+            let left = radius - rounding.radius;
+            let form = Form::Arc { center: middle, radius: left, upper: false };
+            let touching = Piece { z0: middle.z - left * low.cos(), z1: middle.z - left * high.cos(), form };
+            over = over.max(&Chain { pieces: vec![touching] });
+        }
+    }
+    over
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::outline::Turn;
+    use super::*;
+    use crate::geometry::Segment;
+    use crate::machine::Catalog;
+    use proptest::prelude::*;
+
+    /// Points on a surface of random lines and arcs, and the surface.
+    fn surface() -> impl Strategy<Value = Chain> {
+        proptest::collection::vec((0.3..4.0_f64, 1.0..9.0_f64, 1.0..9.0_f64, 0..3_u8, 1.0..3.0_f64), 1..7).prop_map(
+            |rows| {
+                let mut z = 0.0;
+                let mut pieces = Vec::new();
+                for (width, r1, r2, kind, bend) in rows {
+                    let (a, b) = (Point::new(z, r1), Point::new(z + width, r2));
+                    z += width;
+                    let chord = a.distance(b);
+                    let radius = chord * bend;
+                    let height =
+                        (radius * radius - chord * chord / 4.0).sqrt() * if kind == 1 { 1.0 } else { -1.0 } / chord;
+                    let along = b - a;
+                    let center = Point::new(
+                        f64::midpoint(a.z, b.z) - along.y * height,
+                        f64::midpoint(a.r, b.r) + along.x * height,
+                    );
+                    let upper = kind == 2;
+                    let monotone = if upper { center.r <= r1.min(r2) } else { center.r >= r1.max(r2) };
+                    pieces.push(if kind == 0 || !monotone {
+                        Piece::line(a, b)
+                    } else {
+                        Piece { z0: a.z, z1: b.z, form: Form::Arc { center, radius, upper } }
+                    });
+                }
+                Chain { pieces }
+            },
+        )
+    }
+
+    fn shapes() -> Vec<Shape> {
+        let catalog = Catalog::shipped();
+        let outline = |id: &str| catalog.tool(id).unwrap().outline();
+        let tools = ["orac-right", "orac-left", "orac-thread", "orac-part-off"].map(outline);
+        tools.iter().map(|t| Shape::of([&t.insert, &t.holder], Turn::Both)).chain([Shape::disc(0.4)]).collect()
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(40))]
+
+        #[test]
+        fn the_limit_is_the_largest_over_every_point(surface in surface(), which in 0..5_usize) {
+            let shape = &shapes()[which];
+            let limit = shape.over(&surface);
+            let body = shape.chain();
+            let (from, to) = (surface.pieces[0].z0, surface.pieces.last().unwrap().z1);
+            for k in 0..25 {
+                let at = from - 3.0 + (to - from + 6.0) * f64::from(k) / 25.0 + 1e-5;
+                let step = (to - from) / 1500.0;
+                let sampled = |at: f64| {
+                    let samples = (0..=1500).map(|i| from + step * f64::from(i));
+                    samples.filter_map(|z| Some(surface.at(z)? + body.at(at - z)?)).reduce(f64::max)
+                };
+                // Beside a face the sample next to it is a step away.
+                let around = [at - step, at, at + step].into_iter().filter_map(sampled).reduce(f64::max);
+                if let (Some(limit), Some(here), Some(around)) = (limit.at(at), sampled(at), around) {
+                    prop_assert!(here <= limit + 1e-9, "at {at}: {here} above {limit}");
+                    prop_assert!(limit <= around + 0.4, "at {at}: {limit} far above {around}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_ball_on_a_corner_rolls_over_it() {
+        let step = Chain { pieces: vec![Piece::level(0.0, 5.0, 3.0), Piece::level(5.0, 9.0, 1.0)] };
+        let limit = Shape::disc(0.5).over(&step);
+        assert_eq!(limit.at(2.0), Some(3.5));
+        assert!((limit.at(5.3).unwrap() - 3.4).abs() < 1e-12);
+        assert_eq!(limit.at(7.0), Some(1.5));
+        let hollow = Segment::Arc {
+            start: Point::new(0.0, 5.0),
+            end: Point::new(6.0, 5.0),
+            center: Point::new(3.0, 9.0),
+            ccw: true,
+        };
+        let limit = Shape::disc(1.0).over(&Chain { pieces: vec![Piece::of(&hollow).unwrap()] });
+        assert!((limit.at(3.0).unwrap() - 5.0).abs() < 1e-12, "4 mm radius inside 5");
+    }
+}

@@ -1,0 +1,56 @@
+//! What no tool could reach.
+
+use super::chain::Chain;
+use super::piece::SAME_MM;
+use super::work::Work;
+use crate::geometry::{Point, Segment};
+use crate::part::PartContour;
+use std::collections::BTreeMap;
+
+/// Less than this is not spoken of, mm: what a drawing calls a sharp corner.
+const SPOKEN_OF_MM: f64 = 0.02;
+
+/// Places looked at along one segment of the contour.
+const PLACES: u32 = 16;
+
+/// Material that stays on a row of the part.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Left {
+    /// Id of the row.
+    pub(super) section: u32,
+    /// Largest way from the contour through the stock into the open, mm.
+    pub(super) height: f64,
+    /// Where it is largest.
+    pub(super) at: Point,
+}
+
+/// The rows of `contour` on which stock is left, with the largest height of each, in order of ids.
+pub(super) fn measure(work: &Work, contour: &PartContour) -> Vec<Left> {
+    let mut rows: BTreeMap<u32, Left> = BTreeMap::new();
+    let (segments, ids) = (&contour.contour.segments, &contour.sections);
+    for run in work.stock.clipped(work.from_z, f64::INFINITY).runs_over(&work.part, SPOKEN_OF_MM) {
+        let stock = work.stock.clipped(run.z0, run.z1);
+        let first = segments.partition_point(|s| s.end().z < run.z0 - SAME_MM);
+        let here = segments.iter().zip(ids).skip(first).take_while(|(s, _)| s.start().z <= run.z1 + SAME_MM);
+        for (segment, &section) in here {
+            for at in (0..=PLACES).map(|k| segment.point_at(f64::from(k) / f64::from(PLACES))) {
+                // A face stands at the end of the run, up to rounding.
+                let height = height_over(&stock, Point::new(at.z.clamp(run.z0, run.z1), at.r));
+                let row = rows.entry(section).or_insert(Left { section, height, at });
+                if height > row.height {
+                    *row = Left { section, height, at };
+                }
+            }
+        }
+    }
+    rows.into_values().filter(|left| left.height > SPOKEN_OF_MM).collect()
+}
+
+/// Distance of a point under the stock's surface from it, mm; 0 in the open.
+fn height_over(stock: &Chain, p: Point) -> f64 {
+    let Some(above) = stock.at(p.z).map(|r| r - p.r).filter(|above| *above > 0.0) else { return 0.0 };
+    let near: Vec<_> = stock.over(p.z - above, p.z + above).collect();
+    let along = near.iter().map(|piece| piece.towards_chuck().distance_to(p));
+    let faces = near.windows(2).map(|w| Segment::line(w[0].right(), w[1].left()).distance_to(p));
+    along.chain(faces).fold(above, f64::min)
+}

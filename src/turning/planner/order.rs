@@ -1,0 +1,281 @@
+//! Which tool does what, and in which order.
+
+use super::chain::Chain;
+use super::conditions::Conditions;
+use super::follow::Follow;
+use super::left::{self, Left};
+use super::path::Path;
+use super::rough::Rough;
+use super::tool::{Cutter, Use};
+use super::trace::ArcRules;
+use super::work::Work;
+use super::{groove, part_off, thread};
+use crate::diagnostic::{Diagnostic, Place, SectionTable, Severity};
+use crate::geometry::Point;
+use crate::machine::Machine;
+use crate::part::{PartContour, Setup};
+use crate::turning::{Operation, OperationKind, Task};
+
+/// Share of the depth of cut above which steps that roughing leaves are cut away along the contour before finishing.
+const CLEANED_SHARE: f64 = 0.4;
+
+/// The same where blocks are scarce: finishing may take a full depth, but not more.
+const CLEANED_SHARE_SPARING: f64 = 1.05;
+
+/// A control that holds fewer blocks than this is spared passes that only even out the load.
+const SCARCE_BLOCKS: usize = 500;
+
+/// What may stay above the contour without a further pass, mm: a tenth of what a drawing asks of a turned part.
+const FINISH_WORTH_MM: f64 = 0.002;
+
+/// What may stay before another tool is taken for it, mm.
+const TOOL_WORTH_MM: f64 = 0.02;
+
+/// Blocks of a program that are no moves, at most: start and end.
+const BLOCKS_AROUND: usize = 4;
+
+/// Blocks that signal a tool change and the end to automatic handling.
+const BLOCKS_OF_SIGNALS: usize = 6;
+
+/// Moves home, at most.
+const MOVES_HOME: usize = 3;
+
+/// The plan as it grows.
+pub(super) struct Order<'a> {
+    machine: &'a Machine,
+    task: &'a Task<'a>,
+    /// Where operations begin and end whose tool has no place of its own; its radius is free everywhere.
+    datum: Point,
+    /// Position of the control's zero.
+    zero_z: f64,
+    work: Work,
+    rules: ArcRules,
+    cutters: Vec<Cutter>,
+    operations: Vec<Operation>,
+    diagnostics: Vec<Diagnostic>,
+}
+
+impl<'a> Order<'a> {
+    /// A plan without operations.
+    pub(super) fn new(task: &'a Task<'a>, contour: &PartContour, datum: Point, zero_z: f64) -> Self {
+        Self {
+            machine: task.machine,
+            task,
+            datum,
+            zero_z,
+            work: Work::new(task.setup, contour, task.machine),
+            rules: ArcRules::from(&task.machine.limits),
+            cutters: task.tools.iter().filter_map(|(&station, outline)| Cutter::new(station, outline)).collect(),
+            operations: Vec::new(),
+            diagnostics: Vec::new(),
+        }
+    }
+
+    /// The operations, and what is to be said about them.
+    pub(super) fn done(self) -> (Vec<Operation>, Vec<Diagnostic>) {
+        (self.operations, self.diagnostics)
+    }
+
+    /// Plans everything.
+    pub(super) fn plan(&mut self, setup: &Setup, contour: &PartContour) {
+        let of = |wanted: fn(&Use) -> bool| -> Vec<Cutter> {
+            self.cutters.iter().filter(|c| wanted(&c.r#use)).cloned().collect()
+        };
+        let (right, left) = (of(|u| *u == Use::Right), of(|u| *u == Use::Left));
+        let (blades, threading) = (of(|u| matches!(u, Use::Blade { .. })), of(|u| *u == Use::Thread));
+        for (k, cutter) in right.iter().chain(&left).enumerate() {
+            self.rough(cutter, if k == 0 { 0.0 } else { TOOL_WORTH_MM });
+            self.finish(cutter, if k == 0 { FINISH_WORTH_MM } else { TOOL_WORTH_MM });
+        }
+        for cutter in &blades {
+            self.groove(cutter);
+        }
+        self.left(contour);
+        if let Some(cutter) = threading.first() {
+            self.threads(setup, cutter);
+        }
+        if let (Some(_), Some(cutter)) = (setup.part_off_width, blades.first()) {
+            self.part_off(setup, cutter);
+        }
+        self.missing(setup, blades.is_empty(), threading.is_empty());
+    }
+
+    /// The row of a section.
+    fn row(&self, id: u32) -> Place {
+        let index = self.task.part_mm.sections.iter().position(|s| s.id == id).unwrap_or(0);
+        Place::Section { id, row: index + 1, column: None, table: SectionTable::Outside }
+    }
+
+    /// Feeds, speeds and depths; without them the operation is left out, and that is said once.
+    fn conditions(&mut self, kind: OperationKind) -> Option<Conditions> {
+        let material = self.task.material_mm;
+        let found = Conditions::of(kind, self.machine, material);
+        if found.is_none() && !self.diagnostics.iter().any(|d| d.code == "no-cutting-data") {
+            let message = format!(
+                "The material table has no usable speed, feed and depth of {} for \"{}\" on {}.",
+                material.name,
+                kind.name(),
+                self.machine.name
+            );
+            let said = Diagnostic::error("no-cutting-data", Place::Stock, message)
+                .with_hint("Choose another material, or add the row to the material table.");
+            self.diagnostics.push(said);
+        }
+        found
+    }
+
+    /// Where the turret turns to a station.
+    fn change(&self, station: u32) -> Option<Point> {
+        let place = self.machine.change_position(station)?;
+        Some(Point::new(place.z_mm + self.zero_z, place.diameter_mm / 2.0))
+    }
+
+    /// The moves of an operation that begins where its tool is changed.
+    fn path<'c>(&self, conditions: &'c Conditions, cutter: &Cutter) -> Path<'c> {
+        Path::new(conditions, self.change(cutter.station).unwrap_or(self.datum))
+    }
+
+    /// Strokes, then once along what they leave where it is rough.
+    fn rough(&mut self, cutter: &Cutter, worth: f64) {
+        let kind = if cutter.r#use == Use::Left { OperationKind::RoughLeft } else { OperationKind::RoughRight };
+        let Some(conditions) = self.conditions(kind) else { return };
+        let limit = self.work.limit(cutter, conditions.allowance);
+        let touch = cutter.insert.over(&self.work.stock);
+        let air = self.work.air(cutter);
+        let rough = Rough {
+            limit: &limit,
+            touch: &touch,
+            top: self.work.top(),
+            depth: conditions.depth,
+            rolled: cutter.nose + conditions.allowance,
+            rules: self.rules,
+        };
+        let strokes = rough.strokes();
+        let mut path = self.path(&conditions, cutter);
+        rough.cut(&mut path, &strokes, &air, self.datum.r, usize::MAX);
+        if path.moves.len() + MOVES_HOME > self.room() {
+            path = self.path(&conditions, cutter);
+            rough.cut(&mut path, &strokes, &air, self.datum.r, self.room());
+        }
+        let mut after = self.work.clone();
+        after.cut(cutter, &path.cuts);
+        let share =
+            if self.machine.limits.blocks_per_program < SCARCE_BLOCKS { CLEANED_SHARE_SPARING } else { CLEANED_SHARE };
+        let worth = (share * conditions.depth).max(worth);
+        let follow =
+            Follow { work: &after, cutter, limit: &limit, allowance: conditions.allowance, worth, rules: self.rules };
+        let runs = follow.runs();
+        follow.cut(&mut path, &runs, &after.air(cutter), self.datum.r);
+        self.add(kind, cutter, path);
+    }
+
+    /// Along the contour wherever something is left that the tool can reach.
+    fn finish(&mut self, cutter: &Cutter, worth: f64) {
+        let kind = if cutter.r#use == Use::Left { OperationKind::FinishLeft } else { OperationKind::FinishRight };
+        self.follow(kind, cutter, worth);
+    }
+
+    fn follow(&mut self, kind: OperationKind, cutter: &Cutter, worth: f64) {
+        let Some(conditions) = self.conditions(kind) else { return };
+        let limit = self.work.limit(cutter, 0.0);
+        let mut path = self.path(&conditions, cutter);
+        let follow = Follow { work: &self.work, cutter, limit: &limit, allowance: 0.0, worth, rules: self.rules };
+        let runs = follow.runs();
+        follow.cut(&mut path, &runs, &self.work.air(cutter), self.datum.r);
+        self.add(kind, cutter, path);
+    }
+
+    fn groove(&mut self, cutter: &Cutter) {
+        let Use::Blade { width } = cutter.r#use else { return };
+        let Some(conditions) = self.conditions(OperationKind::Groove) else { return };
+        let limit = self.work.limit(cutter, conditions.allowance);
+        let touch = cutter.insert.over(&self.work.stock);
+        let plunges = groove::plunges(&limit, &touch, width);
+        if plunges.is_empty() {
+            return;
+        }
+        let mut path = self.path(&conditions, cutter);
+        groove::cut(&mut path, &plunges, &limit, &self.work.air(cutter), self.datum.r);
+        self.add(OperationKind::Groove, cutter, path);
+        self.follow(OperationKind::Groove, cutter, TOOL_WORTH_MM);
+    }
+
+    fn threads(&mut self, setup: &Setup, cutter: &Cutter) {
+        let Some(conditions) = self.conditions(OperationKind::Thread) else { return };
+        let mut path = self.path(&conditions, cutter);
+        for spec in &setup.threads {
+            let (depth, row) = (conditions.depth, self.row(spec.section));
+            let said = thread::cut(&mut path, spec, &self.work, cutter, self.machine, depth, self.datum.r, row);
+            self.diagnostics.extend(said);
+        }
+        self.add(OperationKind::Thread, cutter, path);
+    }
+
+    fn part_off(&mut self, setup: &Setup, cutter: &Cutter) {
+        let Some(conditions) = self.conditions(OperationKind::PartOff) else { return };
+        let mut path = self.path(&conditions, cutter);
+        part_off::cut(&mut path, setup.machined_from_z, &self.work, cutter, self.datum.r);
+        self.add(OperationKind::PartOff, cutter, path);
+    }
+
+    /// Takes what was cut from the stock, brings the tool home and keeps the operation, if it does anything.
+    fn add(&mut self, kind: OperationKind, cutter: &Cutter, mut path: Path<'_>) {
+        self.work.cut(cutter, &path.cuts);
+        let air: Chain = self.work.air(cutter);
+        path.home(&air, self.datum.r);
+        let change = self.change(cutter.station);
+        let name = kind.name();
+        self.operations.extend(path.rounds().into_iter().map(|moves| Operation {
+            kind,
+            name: name.to_owned(),
+            tool: cutter.station,
+            change,
+            moves,
+            recipes: Vec::new(),
+        }));
+    }
+
+    /// Moves of one operation at most.
+    fn room(&self) -> usize {
+        let signals = if self.task.part_mm.automatic { BLOCKS_OF_SIGNALS } else { 0 };
+        self.machine.limits.blocks_per_program.saturating_sub(BLOCKS_AROUND + signals)
+    }
+
+    /// Says what is left where no tool could go.
+    fn left(&mut self, contour: &PartContour) {
+        for left in left::measure(&self.work, contour) {
+            let Left { section, height, at } = left;
+            let message = format!(
+                "No tool of {} reaches all of this row: {height:.3} mm are left at z {:.3}, diameter {:.3}.",
+                self.machine.name,
+                at.z,
+                2.0 * at.r
+            );
+            let largest_nose = self.cutters.iter().map(|c| c.nose).fold(0.0, f64::max);
+            let hint =
+                "A smaller nose radius, a blade, or a tool of the other hand may reach it; all else is programmed.";
+            let row = self.row(section);
+            let said = if height > largest_nose {
+                Diagnostic::warning("not-reached", row, message)
+            } else {
+                Diagnostic::new(Severity::Info, "not-reached", row, message)
+            };
+            self.diagnostics.push(said.with_hint(hint));
+        }
+    }
+
+    fn missing(&mut self, setup: &Setup, no_blade: bool, no_threading: bool) {
+        let mut say = |what: &str, tool: &str| {
+            let message = format!("The part has {what}, and {} has no {tool} in its turret.", self.machine.name);
+            self.diagnostics.push(
+                Diagnostic::warning("tool-missing", Place::Document, message).with_hint("Add the tool to the machine."),
+            );
+        };
+        if no_threading && !setup.threads.is_empty() {
+            say("a thread", "threading tool");
+        }
+        if no_blade && setup.part_off_width.is_some() {
+            say("to be parted off", "parting blade");
+        }
+    }
+}
