@@ -6,7 +6,7 @@ use super::sections::cells;
 use super::sections::tsv::COLUMNS;
 use super::theme::{self, Colors};
 use super::widgets::{choice, field, form_label, remark, title_row};
-use crate::diagnostic::{Column, Place};
+use crate::diagnostic::{Column, Place, SectionTable};
 use crate::part::{Section, SectionKind};
 use crate::session::Session;
 use crate::units::Unit;
@@ -18,15 +18,15 @@ const LABEL: f32 = 86.0;
 /// Shows the panel; true if it is dragged by its title.
 pub(crate) fn show(ui: &mut Ui, session: &mut Session, requests: &Requests, titled: bool) -> bool {
     let selected = session.selection.section;
-    let row = selected.and_then(|id| session.part().sections.iter().position(|s| s.id == id));
-    let section = row.and_then(|row| session.part().sections.get(row).cloned());
-    let title = match (&section, row) {
-        (Some(section), Some(row)) => capital(&format!("{} {}", cells::kind_name(&section.kind), row + 1)),
-        _ => "Part".to_owned(),
+    let found = selected.and_then(|id| session.part().row(id));
+    let found = found.map(|(table, row, section)| (table, row, section.clone()));
+    let title = match &found {
+        Some((table, row, section)) => capital(&cells::row_name(*table, *row, section)),
+        None => "Part".to_owned(),
     };
     let dragged = title_row(ui, titled.then_some(title.as_str()), "", |_| {});
-    egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| match section {
-        Some(section) => of_section(ui, session, &section, row.unwrap_or(0)),
+    egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| match found {
+        Some((table, row, section)) => of_section(ui, session, &section, table, row),
         None => of_part(ui, session, requests),
     });
     dragged
@@ -37,13 +37,13 @@ fn capital(text: &str) -> String {
     letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
 
-fn of_section(ui: &mut Ui, session: &mut Session, section: &Section, row: usize) {
+fn of_section(ui: &mut Ui, session: &mut Session, section: &Section, table: SectionTable, row: usize) {
     let unit = session.document().unit;
     kind(ui, session, section, row);
     for column in COLUMNS.into_iter().filter(|c| cells::get(section, *c).is_some()) {
-        value(ui, session, section, row, column, unit);
+        value(ui, session, section, &cells::row_name(table, row, section), column, unit);
     }
-    if let Some((z, r)) = centre(section) {
+    if let Some((z, r)) = centre(section, table) {
         let text = format!("z {}  r {}", fixed(z, unit.decimals()), fixed(r, unit.decimals()));
         fact(ui, "Centre", &text);
     }
@@ -66,7 +66,7 @@ fn kind(ui: &mut Ui, session: &mut Session, section: &Section, row: usize) {
     });
 }
 
-fn value(ui: &mut Ui, session: &mut Session, section: &Section, row: usize, column: Column, unit: Unit) {
+fn value(ui: &mut Ui, session: &mut Session, section: &Section, row_name: &str, column: Column, unit: Unit) {
     ui.horizontal(|ui| {
         let name = column.to_string();
         let label = if name.contains(' ') { name } else { capital(&name) };
@@ -79,9 +79,9 @@ fn value(ui: &mut Ui, session: &mut Session, section: &Section, row: usize, colu
         let width = ui.available_width();
         let typed = ui.push_id(section.id, |ui| field(ui, &label, &shown, width, read)).inner;
         if let Some(typed) = typed {
-            let label = format!("{column} of {} {}", cells::kind_name(&section.kind), row + 1);
+            let label = format!("{column} of {row_name}");
             typed.put_into_part(session, &label, |part, changed| {
-                if let Some(row) = part.sections.iter_mut().find(|s| s.id == changed.id) {
+                if let Some(row) = part.row_mut(changed.id) {
                     *row = changed;
                 }
             });
@@ -92,7 +92,7 @@ fn value(ui: &mut Ui, session: &mut Session, section: &Section, row: usize, colu
 fn write(session: &mut Session, section: &Section, label: &str, change: impl FnOnce(&mut Section)) {
     let id = section.id;
     session.edit_part(label, None, |part| {
-        if let Some(row) = part.sections.iter_mut().find(|s| s.id == id) {
+        if let Some(row) = part.row_mut(id) {
             change(row);
         }
     });
@@ -108,7 +108,8 @@ fn fact(ui: &mut Ui, label: &str, text: &str) {
 }
 
 /// Centre of an arc as z and radius, in the document's unit.
-fn centre(section: &Section) -> Option<(f64, f64)> {
+fn centre(section: &Section, table: SectionTable) -> Option<(f64, f64)> {
+    let section = if table.is_outside() { section.clone() } else { section.seen_from_inside() };
     let (radius, outside) = match section.kind {
         SectionKind::Concave { radius } => (radius, 1.0),
         SectionKind::Convex { radius } => (radius, -1.0),
@@ -206,12 +207,12 @@ mod tests {
             [(SectionKind::Convex { radius: 5.0 }, true), (SectionKind::Concave { radius: 5.0 }, false)]
         {
             row.kind = kind;
-            let (z, r) = centre(&row).unwrap();
+            let (z, r) = centre(&row, SectionTable::Outside).unwrap();
             assert!(((z - 36.0).hypot(r - 8.75) - 5.0).abs() < 1e-9);
             assert!(((z - 38.6).hypot(r - 5.1) - 5.0).abs() < 1e-9);
             assert_eq!(r < 7.0, inside);
         }
         row.kind = SectionKind::Convex { radius: 1.0 };
-        assert_eq!(centre(&row), None);
+        assert_eq!(centre(&row, SectionTable::Outside), None);
     }
 }

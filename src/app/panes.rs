@@ -106,7 +106,7 @@ fn profile_event(event: ProfileEvent, session: &mut Session, views: &mut Views, 
             session.selection.section = Some(section);
             let label = format!("drag radius of {}", name_of(session, section));
             session.edit_part(&label, gesture, |part| {
-                if let Some(row) = part.sections.iter_mut().find(|s| s.id == section) {
+                if let Some(row) = part.row_mut(section) {
                     use crate::part::SectionKind::{Concave, Convex};
                     if let Concave { radius: r } | Convex { radius: r } = &mut row.kind {
                         *r = radius;
@@ -132,9 +132,7 @@ fn gesture(session: &mut Session, views: &mut Views, phase: Phase) -> Option<cra
 }
 
 fn name_of(session: &Session, id: u32) -> String {
-    let sections = &session.part().sections;
-    let row = sections.iter().position(|s| s.id == id);
-    row.and_then(|row| Some(format!("{} {}", cells::kind_name(&sections.get(row)?.kind), row + 1))).unwrap_or_default()
+    session.part().row(id).map(|(table, row, section)| cells::row_name(table, row, section)).unwrap_or_default()
 }
 
 fn edit_dimension(dimension: Dimension, text: &str, session: &mut Session, requests: &mut Requests) {
@@ -165,7 +163,7 @@ fn edit_dimension(dimension: Dimension, text: &str, session: &mut Session, reque
 fn edit_row(session: &mut Session, id: u32, what: &str, change: impl FnOnce(&mut crate::part::Section)) {
     let label = format!("{what} of {}", name_of(session, id));
     session.edit_part(&label, None, |part| {
-        if let Some(row) = part.sections.iter_mut().find(|s| s.id == id) {
+        if let Some(row) = part.row_mut(id) {
             change(row);
         }
     });

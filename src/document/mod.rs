@@ -4,6 +4,7 @@ mod cycles;
 mod program;
 mod row;
 
+use crate::diagnostic::SectionTable;
 use crate::part::Section;
 use crate::units::Unit;
 pub use cycles::{CutIn, Cycle, Instruction};
@@ -231,6 +232,37 @@ impl TurnedPart {
             bore: self.bore.iter().map(|s| s.scaled(factor)).collect(),
             ..self.clone()
         }
+    }
+
+    /// The rows of a section table.
+    #[must_use]
+    pub const fn table(&self, table: SectionTable) -> &Vec<Section> {
+        match table {
+            SectionTable::Outside => &self.sections,
+            SectionTable::Bore => &self.bore,
+        }
+    }
+
+    /// The rows of a section table, to be changed.
+    pub const fn table_mut(&mut self, table: SectionTable) -> &mut Vec<Section> {
+        match table {
+            SectionTable::Outside => &mut self.sections,
+            SectionTable::Bore => &mut self.bore,
+        }
+    }
+
+    /// The row with this id, its table and its position there, from 0.
+    #[must_use]
+    pub fn row(&self, id: u32) -> Option<(SectionTable, usize, &Section)> {
+        [SectionTable::Outside, SectionTable::Bore].into_iter().find_map(|table| {
+            let (index, section) = self.table(table).iter().enumerate().find(|(_, s)| s.id == id)?;
+            Some((table, index, section))
+        })
+    }
+
+    /// The row with this id, to be changed.
+    pub fn row_mut(&mut self, id: u32) -> Option<&mut Section> {
+        self.sections.iter_mut().chain(&mut self.bore).find(|s| s.id == id)
     }
 
     /// An id that no row has yet.

@@ -247,7 +247,7 @@ impl Session {
     fn changed(&mut self) {
         self.edited_at.get_or_insert_with(Instant::now);
         self.worker.post(Arc::clone(&self.document));
-        if self.selection.section.is_some_and(|id| !self.part().sections.iter().any(|s| s.id == id)) {
+        if self.selection.section.is_some_and(|id| self.part().row(id).is_none()) {
             self.selection.section = None;
         }
     }

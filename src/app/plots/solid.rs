@@ -6,7 +6,7 @@ use super::canvas::arrow;
 use super::cut::stock_ring_at;
 use super::lines::faded;
 use super::palette::Palette;
-use super::profile::draw::with_ends_on_axis;
+use super::profile::draw::Lines;
 use crate::geometry::{Point, Vector};
 use crate::part::PartContour;
 use crate::proof::ProofReport;
@@ -66,6 +66,7 @@ impl Default for SolidView {
 #[derive(Debug, Clone)]
 struct Key3d {
     contour: Arc<PartContour>,
+    bore: Arc<Option<PartContour>>,
     proof: Arc<ProofReport>,
     stock: Option<usize>,
     pose: (f64, f64, f64),
@@ -78,6 +79,7 @@ impl PartialEq for Key3d {
         // The proof matters only where its stock is shown.
         let same_stock = self.stock.is_none() || Arc::ptr_eq(&self.proof, &other.proof);
         Arc::ptr_eq(&self.contour, &other.contour)
+            && Arc::ptr_eq(&self.bore, &other.bore)
             && same_stock
             && (self.stock, self.pose, self.rect, self.color) == (other.stock, other.pose, other.rect, other.color)
     }
@@ -92,6 +94,7 @@ pub fn solid_view(ui: &mut Ui, view: &mut SolidView, scene: &SolidScene<'_>) {
     let stock = scene.stock_at_s.map(|time_s| super::cut::stock_index_at(scene.derived, time_s));
     let key = Key3d {
         contour: Arc::clone(&scene.derived.contour),
+        bore: Arc::clone(&scene.derived.bore),
         proof: Arc::clone(&scene.derived.proof),
         stock,
         pose: (view.turn, view.tilt, view.zoom),
@@ -157,7 +160,7 @@ fn turn_by_key(view: &mut SolidView, event: &Event) {
 fn build(derived: &SetupDerived, key: &Key3d) -> Mesh {
     let outline = match key.stock {
         Some(index) => stock_ring_at(derived, index, derived.setup.chuck_face_z),
-        None => with_ends_on_axis(&derived.contour.contour.polyline(CHORDS * derived.setup.length.max(1.0))),
+        None => Lines::of(derived, CHORDS * derived.setup.length.max(1.0)).outline(),
     };
     revolve(&outline, key.pose, key.rect, key.color)
 }

@@ -1,6 +1,6 @@
 //! What stands in a cell of the section table, and what a typed text does to it.
 
-use crate::diagnostic::Column;
+use crate::diagnostic::{Column, SectionTable};
 use crate::part::{Section, SectionKind};
 use crate::units::{Unit, parse_length};
 
@@ -27,6 +27,13 @@ pub(crate) const fn kind_index(kind: &SectionKind) -> usize {
 #[must_use]
 pub(crate) fn kind_name(kind: &SectionKind) -> &'static str {
     KINDS.get(kind_index(kind)).copied().unwrap_or_default()
+}
+
+/// What a row is called: `convex 3`, in a bore `bore convex 3`; `row` counts from 0.
+#[must_use]
+pub(crate) fn row_name(table: SectionTable, row: usize, section: &Section) -> String {
+    let of = if table.is_outside() { "" } else { "bore " };
+    format!("{of}{} {}", kind_name(&section.kind), row + 1)
 }
 
 /// The columns that the rows need: the first five and the radius always, the others where a row has them, starts where a

@@ -46,7 +46,7 @@ pub(crate) fn handle(
 }
 
 fn key_press(view: &mut SectionsView, session: &mut Session, columns: &[Column], key: Key, modifiers: Modifiers) {
-    let count = session.part().sections.len();
+    let count = session.part().table(view.table).len();
     match key {
         Key::ArrowUp | Key::ArrowDown if modifiers.alt => shift(view, session, key == Key::ArrowDown),
         Key::ArrowUp => step(view, session, -1, 0, modifiers.shift),
@@ -72,7 +72,7 @@ fn key_press(view: &mut SectionsView, session: &mut Session, columns: &[Column],
 
 /// Moves the cursor by rows and columns, staying inside the table.
 pub(crate) fn step(view: &mut SectionsView, session: &mut Session, down: isize, right: isize, extend: bool) {
-    let columns = cells::columns(&session.part().sections).len();
+    let columns = cells::columns(session.part().table(view.table)).len();
     let row = view.cursor.row.saturating_add_signed(down);
     let column = view.cursor.column.saturating_add_signed(right).min(columns.saturating_sub(1));
     place(view, session, row, column, extend);
@@ -80,7 +80,7 @@ pub(crate) fn step(view: &mut SectionsView, session: &mut Session, down: isize, 
 
 /// Moves the cursor to the next cell that has a value, over the ends of rows.
 pub(crate) fn step_cell(view: &mut SectionsView, session: &mut Session, columns: &[Column], forward: bool) {
-    let sections = &session.part().sections;
+    let sections = session.part().table(view.table);
     let width = columns.len();
     let all = sections.len() * width;
     let has_value = |index: usize| {
@@ -100,16 +100,16 @@ pub(crate) fn step_cell(view: &mut SectionsView, session: &mut Session, columns:
 
 /// Puts the cursor on a cell and selects its row everywhere.
 pub(crate) fn place(view: &mut SectionsView, session: &mut Session, row: usize, column: usize, extend: bool) {
-    let row = row.min(session.part().sections.len().saturating_sub(1));
+    let row = row.min(session.part().table(view.table).len().saturating_sub(1));
     let other_row = if extend { view.cursor.other_row } else { row };
     view.cursor = Cursor { row, column, other_row, whole_rows: view.cursor.whole_rows && extend };
     view.reveal = true;
-    session.selection.section = session.part().sections.get(row).map(|s| s.id);
+    session.selection.section = session.part().table(view.table).get(row).map(|s| s.id);
 }
 
 /// Opens the cell under the cursor with `text`, or with what is in it.
 pub(crate) fn begin_edit(view: &mut SectionsView, session: &mut Session, columns: &[Column], text: Option<String>) {
-    let cell = session.part().sections.get(view.cursor.row).zip(columns.get(view.cursor.column));
+    let cell = session.part().table(view.table).get(view.cursor.row).zip(columns.get(view.cursor.column));
     let Some((section, column)) = cell else { return };
     if *column != Column::Kind && cells::get(section, *column).is_none() {
         return;
@@ -128,7 +128,7 @@ pub(crate) fn tell(view: &mut SectionsView, session: &mut Session, columns: &[Co
     let Some(editing) = view.editing.as_mut().filter(|e| e.text != e.told) else { return };
     editing.told.clone_from(&editing.text);
     editing.wrong = None;
-    let cell = session.part().sections.get(row).cloned().zip(columns.get(index).copied());
+    let cell = session.part().table(view.table).get(row).cloned().zip(columns.get(index).copied());
     let Some((mut section, column)) = cell.filter(|(_, column)| *column != Column::Kind) else { return };
     if editing.text == editing.before {
         return session.take_back_typing();
@@ -143,10 +143,11 @@ pub(crate) fn tell(view: &mut SectionsView, session: &mut Session, columns: &[Co
 }
 
 fn type_row(session: &mut Session, row: usize, column: Column, section: Section) {
-    let label = format!("{column} of {} {}", cells::kind_name(&section.kind), row + 1);
+    let table = session.part().row(section.id).map(|(table, ..)| table).unwrap_or_default();
+    let label = format!("{column} of {}", cells::row_name(table, row, &section));
     session.type_in(&label, |document| {
         let Content::TurnedPart(part) = &mut document.content;
-        if let Some(old) = part.sections.iter_mut().find(|s| s.id == section.id) {
+        if let Some(old) = part.row_mut(section.id) {
             *old = section;
         }
     });
@@ -156,7 +157,8 @@ fn type_row(session: &mut Session, row: usize, column: Column, section: Section)
 pub(crate) fn commit(view: &mut SectionsView, session: &mut Session, columns: &[Column]) {
     tell(view, session, columns);
     let Some(editing) = view.editing.take() else { return };
-    let cell = session.part().sections.get(view.cursor.row).cloned().zip(columns.get(view.cursor.column).copied());
+    let cell =
+        session.part().table(view.table).get(view.cursor.row).cloned().zip(columns.get(view.cursor.column).copied());
     if let Some((mut section, column)) = cell {
         let key = (section.id, view.cursor.column);
         view.bad.remove(&key);
@@ -178,7 +180,7 @@ pub(crate) fn commit(view: &mut SectionsView, session: &mut Session, columns: &[
 pub(crate) fn give_up(view: &mut SectionsView, session: &mut Session) {
     view.editing = None;
     session.give_up_typing();
-    if let Some(section) = session.part().sections.get(view.cursor.row) {
+    if let Some(section) = session.part().table(view.table).get(view.cursor.row) {
         view.bad.remove(&(section.id, view.cursor.column));
     }
 }
@@ -186,7 +188,7 @@ pub(crate) fn give_up(view: &mut SectionsView, session: &mut Session) {
 /// Puts an edited row in the place of the old one.
 pub(crate) fn replace(session: &mut Session, label: &str, row: Section) {
     session.edit_part(label, None, |part| {
-        if let Some(old) = part.sections.iter_mut().find(|s| s.id == row.id) {
+        if let Some(old) = part.row_mut(row.id) {
             *old = row;
         }
     });
@@ -194,33 +196,33 @@ pub(crate) fn replace(session: &mut Session, label: &str, row: Section) {
 
 /// Inserts a row above the cursor.
 pub(crate) fn insert(view: &mut SectionsView, session: &mut Session) {
-    let at = view.cursor.row;
+    let (at, table) = (view.cursor.row, view.table);
     session.edit_part("insert a row", None, |part| {
-        rows::insert(part, at);
+        rows::insert(part, table, at);
     });
     place(view, session, at, view.cursor.column, false);
 }
 
 /// Deletes the selected rows.
 pub(crate) fn delete(view: &mut SectionsView, session: &mut Session) {
-    let rows = view.cursor.rows();
+    let (rows, table) = (view.cursor.rows(), view.table);
     let label = if rows.clone().count() > 1 { "delete rows" } else { "delete a row" };
-    session.edit_part(label, None, |part| rows::delete(part, &rows));
+    session.edit_part(label, None, |part| rows::delete(part.table_mut(table), &rows));
     place(view, session, *rows.start(), view.cursor.column, false);
 }
 
 /// Puts a copy of the selected rows after them.
 pub(crate) fn duplicate(view: &mut SectionsView, session: &mut Session) {
-    let rows = view.cursor.rows();
-    session.edit_part("duplicate rows", None, |part| rows::duplicate(part, &rows));
+    let (rows, table) = (view.cursor.rows(), view.table);
+    session.edit_part("duplicate rows", None, |part| rows::duplicate(part, table, &rows));
     place(view, session, rows.end() + 1, view.cursor.column, false);
 }
 
 /// Moves the selected rows by one place.
 pub(crate) fn shift(view: &mut SectionsView, session: &mut Session, down: bool) {
-    let rows = view.cursor.rows();
+    let (rows, table) = (view.cursor.rows(), view.table);
     let mut moved = false;
-    session.edit_part("move rows", None, |part| moved = rows::shift(part, &rows, down));
+    session.edit_part("move rows", None, |part| moved = rows::shift(part.table_mut(table), &rows, down));
     if moved {
         let by = |row: usize| if down { row + 1 } else { row.saturating_sub(1) };
         view.cursor.row = by(view.cursor.row);
@@ -232,7 +234,7 @@ pub(crate) fn shift(view: &mut SectionsView, session: &mut Session, down: bool) 
 /// Puts the selected rows on the clipboard.
 pub(crate) fn copy(ui: &Ui, view: &SectionsView, session: &Session) {
     let rows = view.cursor.rows();
-    let sections = &session.part().sections;
+    let sections = session.part().table(view.table);
     if let Some(rows) = sections.get(*rows.start()..(rows.end() + 1).min(sections.len())) {
         ui.copy_text(crate::storage::export::tsv(rows));
     }
@@ -240,10 +242,10 @@ pub(crate) fn copy(ui: &Ui, view: &SectionsView, session: &Session) {
 
 fn paste(view: &mut SectionsView, session: &mut Session, requests: &mut Requests, columns: &[Column], text: &str) {
     let unit = session.document().unit;
-    let row = view.cursor.row;
+    let (row, table) = (view.cursor.row, view.table);
     let column = columns.get(view.cursor.column).copied().unwrap_or(Column::Kind);
     let mut outcome = Ok(0);
-    session.edit_part("paste rows", None, |part| outcome = tsv::paste(part, row, column, text, unit));
+    session.edit_part("paste rows", None, |part| outcome = tsv::paste(part, table, row, column, text, unit));
     match outcome {
         Ok(count) => {
             let last = (row + count).saturating_sub(1);

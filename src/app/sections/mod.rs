@@ -1,6 +1,7 @@
 //! The panel with the section table, the stock and the operations.
 
 pub(crate) mod cells;
+mod generator;
 mod icon;
 mod keys;
 mod operations;
@@ -10,8 +11,8 @@ mod table;
 pub(crate) mod tsv;
 
 use super::desk::Requests;
-use super::widgets::{link, title_row};
-use crate::diagnostic::Column;
+use super::widgets::{link, title_row, toggle};
+use crate::diagnostic::{Column, SectionTable};
 use crate::session::Session;
 use egui::Ui;
 use std::collections::BTreeMap;
@@ -25,6 +26,8 @@ const LEAST: f32 = 140.0;
 /// What the table keeps from frame to frame.
 #[derive(Debug, Default)]
 pub(crate) struct SectionsView {
+    /// The table that is shown.
+    table: SectionTable,
     cursor: Cursor,
     /// The cell under the cursor is being edited.
     editing: Option<Editing>,
@@ -67,9 +70,9 @@ impl Cursor {
 impl SectionsView {
     /// Puts the cursor on a cell, as when a message about it is clicked.
     pub(crate) fn go_to(&mut self, session: &Session, id: u32, column: Option<Column>) {
-        let sections = &session.part().sections;
-        let Some(row) = sections.iter().position(|s| s.id == id) else { return };
-        let columns = cells::columns(sections);
+        let Some((table, row, _)) = session.part().row(id) else { return };
+        self.table = table;
+        let columns = cells::columns(session.part().table(table));
         let column = column.and_then(|c| columns.iter().position(|other| *other == c)).unwrap_or(0);
         self.cursor = Cursor { row, column, other_row: row, whole_rows: false };
         self.reveal = true;
@@ -85,10 +88,11 @@ pub(crate) fn show(
     requests: &mut Requests,
     titled: bool,
 ) -> bool {
-    let count = session.part().sections.len();
+    let count = session.part().table(view.table).len();
     let mut add = false;
     let dragged = title_row(ui, titled.then_some("Sections"), &count.to_string(), |ui| {
         add = link(ui, "+ Add").on_hover_text("Add a row at the end (Insert adds one above the cursor)").clicked();
+        table_choice(ui, view, session);
     });
     if add {
         add_row(view, session);
@@ -104,10 +108,25 @@ pub(crate) fn show(
     dragged
 }
 
+/// Outside or bore; the words stand from right to left.
+fn table_choice(ui: &mut Ui, view: &mut SectionsView, session: &mut Session) {
+    ui.add_space(8.0);
+    for (table, name) in [(SectionTable::Bore, "bore"), (SectionTable::Outside, "outside")] {
+        let mut on = view.table == table;
+        if toggle(ui, &mut on, name).clicked() && view.table != table {
+            keys::commit(view, session, &cells::columns(session.part().table(view.table)));
+            view.table = table;
+            view.cursor = Cursor::default();
+            session.selection.section = session.part().table(table).first().map(|s| s.id);
+        }
+    }
+}
+
 fn add_row(view: &mut SectionsView, session: &mut Session) {
-    let at = session.part().sections.len();
+    let table = view.table;
+    let at = session.part().table(table).len();
     let mut id = 0;
-    session.edit_part("add a row", None, |part| id = rows::insert(part, at));
+    session.edit_part("add a row", None, |part| id = rows::insert(part, table, at));
     session.selection.section = Some(id);
     view.cursor = Cursor { row: at, column: 1, other_row: at, whole_rows: false };
     view.reveal = true;

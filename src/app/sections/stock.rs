@@ -1,9 +1,10 @@
 //! Bar, ends and how the program is made.
 
+use super::generator;
 use crate::app::desk::Requests;
 use crate::app::theme;
 use crate::app::widgets::{choice, form_label, length_field};
-use crate::document::{Ends, Generator, ParabolaCut, TurnedPart};
+use crate::document::{Ends, Holding, TurnedPart};
 use crate::machine::Catalog;
 use crate::session::Session;
 use crate::units::Unit;
@@ -24,6 +25,11 @@ pub(crate) fn show(ui: &mut Ui, session: &mut Session, requests: &Requests) {
         grid.length(ui, session, "Length", "part length", part.length, unit, |p, v| p.length = v);
     });
     Grid::row(ui, |ui| {
+        let (hole, facing) = (part.stock_bore_diameter, part.facing_allowance);
+        grid.length(ui, session, "Hole ⌀", "hole in the stock", hole, unit, |p, v| p.stock_bore_diameter = v);
+        grid.length(ui, session, "Facing", "facing allowance", facing, unit, |p, v| p.facing_allowance = v);
+    });
+    Grid::row(ui, |ui| {
         grid.ends(ui, session, part.ends);
         match part.ends {
             Ends::Two { split } => grid.split(ui, session, split, unit),
@@ -38,18 +44,24 @@ pub(crate) fn show(ui: &mut Ui, session: &mut Session, requests: &Requests) {
         grid.length(ui, session, "Tolerance", "form tolerance", part.form_tolerance, unit, |p, v| p.form_tolerance = v);
         grid.yes_no(ui, session, "Automatic", part.automatic, |p, yes| p.automatic = yes);
     });
-    grid.generator(ui, session, &part.generator, unit);
+    Grid::row(ui, |ui| {
+        grid.holding(ui, session, part.holding);
+        generator::by(grid, ui, session, &part.generator);
+    });
+    generator::choices(grid, ui, session, &part.generator, unit);
 }
 
 /// Widths of the columns.
 #[derive(Clone, Copy)]
-struct Grid {
-    label: f32,
-    field: f32,
+pub(super) struct Grid {
+    /// Of a label.
+    pub(super) label: f32,
+    /// Of a field.
+    pub(super) field: f32,
 }
 
 impl Grid {
-    fn row(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
+    pub(super) fn row(ui: &mut Ui, content: impl FnOnce(&mut Ui)) {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = BETWEEN;
             content(ui);
@@ -137,38 +149,11 @@ impl Grid {
         }
     }
 
-    fn generator(self, ui: &mut Ui, session: &mut Session, generator: &Generator, unit: Unit) {
-        let Generator::Oracap { parabolas, optimize } = *generator else { return };
-        let set = |session: &mut Session, label: &str, parabolas, optimize| {
-            session.edit_part(label, None, |p| p.generator = Generator::Oracap { parabolas, optimize });
-        };
-        Self::row(ui, |ui| {
-            form_label(ui, "Optimize", self.label);
-            let all = [(false, "no".to_owned()), (true, "yes".to_owned())];
-            if let Some(optimize) = choice(ui, "Optimize", &optimize, &all, self.field) {
-                set(session, "optimize", parabolas, optimize);
-            }
-            form_label(ui, "Parabolas", self.label);
-            let arcs = matches!(parabolas, ParabolaCut::Arcs { .. });
-            let all = [(false, "chords".to_owned()), (true, "arcs".to_owned())];
-            if let Some(arcs) = choice(ui, "Parabolas", &arcs, &all, self.field) {
-                let tolerance = ARC_TOLERANCE_MM / unit.in_mm();
-                let cut = if arcs { ParabolaCut::Arcs { tolerance } } else { ParabolaCut::Chords };
-                set(session, "parabolas", cut, optimize);
-            }
-        });
-        if let ParabolaCut::Arcs { tolerance } = parabolas {
-            Self::row(ui, |ui| {
-                form_label(ui, "Arcs within", self.label);
-                if let Some(typed) = length_field(ui, "Arcs within", tolerance, unit, self.field) {
-                    typed.put_into_part(session, "arc tolerance", |part, tolerance| {
-                        part.generator = Generator::Oracap { parabolas: ParabolaCut::Arcs { tolerance }, optimize };
-                    });
-                }
-            });
+    fn holding(self, ui: &mut Ui, session: &mut Session, holding: Holding) {
+        form_label(ui, "Held", self.label);
+        let all = [(Holding::Chuck, "in chuck".to_owned()), (Holding::BetweenCentres, "in centres".to_owned())];
+        if let Some(holding) = choice(ui, "Held", &holding, &all, self.field) {
+            session.edit_part("holding", None, |part| part.holding = holding);
         }
     }
 }
-
-/// Distance that arcs may keep from a parabola until another is chosen, mm.
-const ARC_TOLERANCE_MM: f64 = 0.01;

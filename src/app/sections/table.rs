@@ -27,8 +27,9 @@ struct Frame<'a> {
 
 /// Shows the table in at most `height`.
 pub(crate) fn show(ui: &mut Ui, view: &mut SectionsView, session: &mut Session, requests: &mut Requests, height: f32) {
-    let columns = cells::columns(&session.part().sections);
-    keep_cursor_inside(view, session, columns.len());
+    keep_cursor_inside(view, session);
+    let columns = cells::columns(session.part().table(view.table));
+    view.cursor.column = view.cursor.column.min(columns.len().saturating_sub(1));
     let id = ui.make_persistent_id("section-table");
     if std::mem::take(&mut view.take_focus) {
         ui.memory_mut(|m| m.request_focus(id));
@@ -37,7 +38,7 @@ pub(crate) fn show(ui: &mut Ui, view: &mut SectionsView, session: &mut Session, 
     area.show(ui, |ui| {
         let edges = edges(ui.available_width(), &columns);
         let width = edges.last().copied().unwrap_or(0.0);
-        let rows = session.part().sections.len();
+        let rows = session.part().table(view.table).len();
         let size = vec2(width, theme::ROW * (count(rows) + 1.0));
         let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
         let focused = grab_keyboard(ui, id, rect, view, session);
@@ -54,18 +55,18 @@ fn count(rows: usize) -> f32 {
     rows as f32
 }
 
-fn keep_cursor_inside(view: &mut SectionsView, session: &Session, columns: usize) {
-    let last = session.part().sections.len().saturating_sub(1);
-    let selected = session.selection.section;
-    let at_cursor = session.part().sections.get(view.cursor.row).map(|s| s.id);
-    if selected.is_some() && selected != at_cursor && view.editing.is_none() {
-        let row = session.part().sections.iter().position(|s| Some(s.id) == selected).unwrap_or(0);
+/// Puts the cursor on the selected row, whichever table it is in.
+fn keep_cursor_inside(view: &mut SectionsView, session: &Session) {
+    let at_cursor = session.part().table(view.table).get(view.cursor.row).map(|s| s.id);
+    let selected = session.selection.section.filter(|id| Some(*id) != at_cursor && view.editing.is_none());
+    if let Some((table, row, _)) = selected.and_then(|id| session.part().row(id)) {
+        view.table = table;
         view.cursor = Cursor { row, other_row: row, whole_rows: false, ..view.cursor };
         view.reveal = true;
     }
+    let last = session.part().table(view.table).len().saturating_sub(1);
     view.cursor.row = view.cursor.row.min(last);
     view.cursor.other_row = view.cursor.other_row.min(last);
-    view.cursor.column = view.cursor.column.min(columns.saturating_sub(1));
 }
 
 fn edges(room: f32, columns: &[Column]) -> Vec<f32> {
@@ -81,8 +82,9 @@ fn grab_keyboard(ui: &Ui, id: Id, rect: Rect, view: &SectionsView, session: &Ses
     let response = ui.interact(rect, id, Sense::focusable_noninteractive());
     response.widget_info(|| {
         let row = view.cursor.row + 1;
-        let of = session.part().sections.len();
-        egui::WidgetInfo::labeled(egui::Role::Table, true, format!("Section table, row {row} of {of}"))
+        let of = session.part().table(view.table).len();
+        let of_bore = if view.table.is_outside() { "" } else { " of the bore" };
+        egui::WidgetInfo::labeled(egui::Role::Table, true, format!("Section table{of_bore}, row {row} of {of}"))
     });
     let filter = EventFilter { tab: true, horizontal_arrows: true, vertical_arrows: true, escape: false };
     ui.memory_mut(|m| m.set_focus_lock_filter(id, filter));
@@ -121,7 +123,7 @@ impl Frame<'_> {
             end_edit_by_key(ui, view, session, self);
         }
         let clip = ui.clip_rect();
-        for row in 0..session.part().sections.len() {
+        for row in 0..session.part().table(view.table).len() {
             let rect = self.row_rect(table, row);
             if view.reveal && row == view.cursor.row {
                 let cell = self.cell_rect(rect, view.cursor.column).expand2(vec2(0.0, theme::ROW));
@@ -143,7 +145,7 @@ impl Frame<'_> {
         session: &mut Session,
         requests: &mut Requests,
     ) {
-        let Some(section) = session.part().sections.get(row).cloned() else { return };
+        let Some(section) = session.part().table(view.table).get(row).cloned() else { return };
         if ui.rect_contains_pointer(rect) {
             requests.hovered = Some(Hovered::Section(section.id));
         }

@@ -1,7 +1,7 @@
 //! Rows and cells of the section table as a spreadsheet's text: one line a row, tabs between cells.
 
 use super::cells;
-use crate::diagnostic::Column;
+use crate::diagnostic::{Column, SectionTable};
 use crate::document::TurnedPart;
 use crate::part::Section;
 use crate::storage::import::tsv;
@@ -22,13 +22,14 @@ pub(crate) const COLUMNS: [Column; 11] = [
     Column::Starts,
 ];
 
-/// Pastes `text` into the table at `row` and `column`. Lines that begin with a section type are whole rows from `row`
+/// Pastes `text` into a table at `row` and `column`. Lines that begin with a section type are whole rows from `row`
 /// on; others fill cells to the right and downwards. Rows are added where the text is longer than the table.
 ///
 /// # Errors
 /// A sentence with line and cell of what does not fit; nothing is pasted then.
 pub(crate) fn paste(
     part: &mut TurnedPart,
+    table: SectionTable,
     row: usize,
     column: Column,
     text: &str,
@@ -39,17 +40,17 @@ pub(crate) fn paste(
         return Err("There is nothing on the clipboard to paste.".to_owned());
     }
     if lines.iter().any(|line| is_whole_row(line)) {
-        return paste_rows(part, row, text, unit);
+        return paste_rows(part, table, row, text, unit);
     }
     let mut edited = part.clone();
     for (offset, line) in lines.iter().enumerate() {
         let index = row + offset;
-        if index >= edited.sections.len() {
+        if index >= edited.table(table).len() {
             let id = edited.unused_section_id();
-            let (z, d) = edited.sections.last().map_or((0.0, edited.bar_diameter), |s| (s.z2, s.d2));
-            edited.sections.push(Section::line(id, z, d, z, d));
+            let (z, d) = edited.table(table).last().map_or((0.0, edited.bar_diameter), |s| (s.z2, s.d2));
+            edited.table_mut(table).push(Section::line(id, z, d, z, d));
         }
-        let Some(section) = edited.sections.get_mut(index) else { continue };
+        let Some(section) = edited.table_mut(table).get_mut(index) else { continue };
         paste_line(section, column, line, unit).map_err(|reason| format!("Line {}: {reason}", offset + 1))?;
     }
     *part = edited;
@@ -63,16 +64,17 @@ fn is_whole_row(line: &str) -> bool {
 }
 
 /// Whole rows in the places of those from `row` on; ids of rows that were there stay.
-fn paste_rows(part: &mut TurnedPart, row: usize, text: &str, unit: Unit) -> Result<usize, String> {
+fn paste_rows(part: &mut TurnedPart, table: SectionTable, row: usize, text: &str, unit: Unit) -> Result<usize, String> {
     let (rows, complaints) = tsv("clipboard", text, unit, part.unused_section_id());
     if let Some(complaint) = complaints.first() {
         return Err(format!("{}: {}", complaint.at, complaint.message));
     }
     let count = rows.len();
+    let sections = part.table_mut(table);
     for (index, pasted) in (row..).zip(rows) {
-        match part.sections.get_mut(index) {
+        match sections.get_mut(index) {
             Some(present) => *present = Section { id: present.id, ..pasted },
-            None => part.sections.push(pasted),
+            None => sections.push(pasted),
         }
     }
     Ok(count)
@@ -114,14 +116,14 @@ mod tests {
         rows[1].kind = SectionKind::Concave { radius: 7.5 };
         let text = crate::storage::export::tsv(&rows);
         let mut pasted = part(Vec::new());
-        assert_eq!(paste(&mut pasted, 0, Column::Kind, &text, Unit::Mm), Ok(2));
+        assert_eq!(paste(&mut pasted, SectionTable::Outside, 0, Column::Kind, &text, Unit::Mm), Ok(2));
         assert_eq!(pasted.sections, rows);
     }
 
     #[test]
     fn figures_fill_cells_to_the_right_and_downwards() {
         let mut p = part(vec![Section::line(1, 0.0, 20.0, 10.0, 16.0)]);
-        paste(&mut p, 0, Column::Z2, "11\t17\n12\t18\n", Unit::Mm).unwrap();
+        paste(&mut p, SectionTable::Outside, 0, Column::Z2, "11\t17\n12\t18\n", Unit::Mm).unwrap();
         assert_eq!((p.sections[0].z2, p.sections[0].d2), (11.0, 17.0));
         assert_eq!((p.sections[1].z1, p.sections[1].z2, p.sections[1].d2), (11.0, 12.0, 18.0));
     }
@@ -130,8 +132,15 @@ mod tests {
     fn a_bad_cell_names_its_place_and_pastes_nothing() {
         let mut p = part(vec![Section::line(1, 0.0, 20.0, 10.0, 16.0)]);
         let before = p.clone();
-        let reason = paste(&mut p, 0, Column::Z1, "1\t2\n3\tx", Unit::Mm).unwrap_err();
+        let reason = paste(&mut p, SectionTable::Outside, 0, Column::Z1, "1\t2\n3\tx", Unit::Mm).unwrap_err();
         assert!(reason.starts_with("Line 2: ⌀ start:"), "{reason}");
         assert_eq!(p, before);
+    }
+
+    #[test]
+    fn rows_go_into_the_table_that_is_shown() {
+        let mut p = part(vec![Section::line(1, 0.0, 20.0, 30.0, 20.0)]);
+        paste(&mut p, SectionTable::Bore, 0, Column::Kind, "line\t0\t8\t30\t8\n", Unit::Mm).unwrap();
+        assert_eq!((p.sections.len(), &p.bore), (1, &vec![Section::line(2, 0.0, 8.0, 30.0, 8.0)]));
     }
 }

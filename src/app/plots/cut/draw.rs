@@ -4,7 +4,7 @@ use super::paths::Shown;
 use super::{CutView, Frame};
 use crate::app::plots::lines::{DASHED, dashed, faded, thinned};
 use crate::app::plots::palette::{LeftoverClass, Palette};
-use crate::app::plots::profile::draw::{EDGE, LIT, LIT_STRENGTH, centre_line, chuck, on_screen, with_ends_on_axis};
+use crate::app::plots::profile::draw::{EDGE, LIT, LIT_STRENGTH, Lines, body, centre_line, chuck, on_screen};
 use crate::app::plots::regions::Triangles;
 use crate::diagnostic::Severity;
 use crate::proof::{Finding, FindingKind};
@@ -38,6 +38,9 @@ pub(super) fn picture(painter: &Painter, frame: &Frame<'_>, view: &mut CutView) 
     }
     if let Some(machine) = scene.machine {
         chuck(painter, screen, derived.setup.chuck_face_z, &machine.chuck, scene.palette);
+    }
+    for holder in [&derived.setup.mandrel, &derived.setup.tailstock].into_iter().flatten() {
+        body(painter, screen, holder, scene.palette);
     }
     centre_line(painter, screen, scene.palette);
     lit_sections(painter, frame);
@@ -74,9 +77,9 @@ fn swept(painter: &Painter, frame: &Frame<'_>, view: &CutView) {
 
 fn part(painter: &Painter, frame: &Frame<'_>) {
     let (palette, screen) = (frame.scene.palette, &frame.screen);
-    let line = frame.scene.derived.contour.contour.polyline(screen.tolerance());
-    Triangles::under(&line).fill(painter, screen, palette.part);
-    let edge = on_screen(screen, &with_ends_on_axis(&line));
+    let lines = Lines::of(frame.scene.derived, screen.tolerance());
+    Triangles::between(&lines.outside, &lines.bore).fill(painter, screen, palette.part);
+    let edge = on_screen(screen, &lines.outline());
     painter.add(Shape::line(edge, Stroke::new(EDGE, palette.edge)));
 }
 
@@ -105,8 +108,9 @@ fn lit_sections(painter: &Painter, frame: &Frame<'_>) {
 }
 
 fn section_line(painter: &Painter, frame: &Frame<'_>, section: u32, stroke: Stroke) {
-    let contour = &frame.scene.derived.contour;
-    let segments = contour.contour.segments.iter().zip(&contour.sections);
+    let derived = frame.scene.derived;
+    let contours = std::iter::once(derived.contour.as_ref()).chain(derived.bore.as_ref());
+    let segments = contours.flat_map(|contour| contour.contour.segments.iter().zip(&contour.sections));
     for (segment, _) in segments.filter(|(_, of)| **of == section) {
         let start = std::iter::once(segment.start());
         let points = start.chain(segment.polyline_points(frame.screen.tolerance())).map(|p| frame.screen.pos(p));

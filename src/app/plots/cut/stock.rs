@@ -1,5 +1,6 @@
 //! The stock at a moment, cut into triangles once, and what is gouged out of the part.
 
+use crate::app::plots::profile::draw::Lines;
 use crate::app::plots::regions::{Triangles, from_axis_to_axis};
 use crate::geometry::Point;
 use crate::proof::ProofReport;
@@ -63,8 +64,7 @@ pub(in crate::app::plots) fn stock_ring_at(derived: &SetupDerived, index: usize,
 }
 
 fn part_ring(derived: &SetupDerived) -> Vec<Point> {
-    let line = derived.contour.contour.polyline(CHORDS_MM);
-    crate::app::plots::profile::draw::with_ends_on_axis(&line)
+    Lines::of(derived, CHORDS_MM).outline()
 }
 
 /// The part without the stock, as rings; slivers thinner than `tolerance_mm` are left out.

@@ -6,9 +6,10 @@ use crate::app::plots::canvas::Screen;
 use crate::app::plots::lines::{CENTRE_LINE, DASHED, dashed, faded, thinned};
 use crate::app::plots::palette::Palette;
 use crate::app::plots::regions::{Triangles, from_axis_to_axis, mirrored};
-use crate::geometry::{Bounds, Point};
+use crate::geometry::{Bounds, Contour, Point};
 use crate::machine::Chuck;
 use crate::part::Setup;
+use crate::regen::SetupDerived;
 use egui::{Painter, Rect, Shape, Stroke};
 use std::sync::Arc;
 
@@ -20,15 +21,23 @@ pub(in crate::app::plots) const LIT: f32 = 3.0;
 pub(in crate::app::plots) const LIT_STRENGTH: f32 = 0.55;
 /// Chords of the stock's outline are this near to its arcs, mm.
 const STOCK_CHORDS_MM: f64 = 0.005;
+/// Points nearer than this are at the same place, mm.
+const SAME_MM: f64 = 1e-6;
 /// Share of the part's length that the chuck takes in a fitted view.
 const CHUCK_SHOWN: f64 = 0.12;
+/// Share of the part's length that the tailstock takes in a fitted view.
+const TAILSTOCK_SHOWN: f64 = 0.22;
+/// Dashes of lines that the part hides, points.
+const HIDDEN: [f32; 2] = [4.0, 3.0];
 
 /// What a fitted view of `setup` shows; with the lower half or without.
 pub(in crate::app::plots) fn shown_bounds(setup: &Setup, full_section: bool) -> Bounds {
     let radius = setup.bar_radius.max(setup.length * 0.02);
     let from = setup.chuck_face_z.min(0.0) - CHUCK_SHOWN * setup.length;
+    let end = setup.stock.bounds().map_or(setup.length, |b| b.max.z.max(setup.length));
+    let beyond = if setup.tailstock.is_some() { TAILSTOCK_SHOWN } else { 0.08 };
     let below = if full_section { -1.2 * radius } else { -0.1 * radius };
-    Bounds { min: Point::new(from, below), max: Point::new(setup.length * 1.08, 1.12 * radius) }
+    Bounds { min: Point::new(from, below), max: Point::new(end + beyond * setup.length, 1.12 * radius) }
 }
 
 /// Draws everything that cannot be taken hold of.
@@ -43,6 +52,9 @@ pub(super) fn scenery(painter: &Painter, frame: &Frame<'_>, view: &mut ProfileVi
     threads(painter, screen, setup, scene.palette, full_section);
     if let Some(machine) = scene.machine {
         chuck(painter, screen, setup.chuck_face_z, &machine.chuck, scene.palette);
+    }
+    for holder in [&setup.mandrel, &setup.tailstock].into_iter().flatten() {
+        body(painter, screen, holder, scene.palette);
     }
     centre_line(painter, screen, scene.palette);
     for &id in scene.lit {
@@ -98,29 +110,89 @@ impl Stock {
 
 fn part(painter: &Painter, screen: &Screen, scene: &ProfileScene<'_>, full_section: bool) {
     let palette = scene.palette;
-    let line = scene.derived.contour.contour.polyline(screen.tolerance());
-    let region = Triangles::under(&line);
-    let closed = with_ends_on_axis(&line);
+    let Lines { outside, bore } = Lines::of(scene.derived, screen.tolerance());
     if full_section {
-        region.fill_mirrored(painter, screen, palette.part_mirror);
-        let below: Vec<Point> = closed.iter().copied().map(mirrored).collect();
-        painter.add(Shape::line(on_screen(screen, &below), Stroke::new(1.0, palette.edge_mirror)));
+        // The lower half is seen from outside: the bore is behind it.
+        Triangles::between(&outside, &[]).fill_mirrored(painter, screen, palette.part_mirror);
+        let below = |line: &[Point]| on_screen(screen, &line.iter().copied().map(mirrored).collect::<Vec<_>>());
+        let stroke = Stroke::new(1.0, palette.edge_mirror);
+        painter.add(Shape::line(below(&with_ends_on_axis(&outside)), stroke));
+        dashed(painter, &below(&bore), &HIDDEN, stroke);
     }
-    region.fill(painter, screen, palette.part);
+    Triangles::between(&outside, &bore).fill(painter, screen, palette.part);
+    let closed = outline(&outside, &bore);
     painter.add(Shape::line(on_screen(screen, &closed), Stroke::new(EDGE, palette.edge)));
+}
+
+/// The finished part as points: its outside, and its bore if it has one.
+pub(in crate::app::plots) struct Lines {
+    /// From the clamped end to the free end.
+    pub(in crate::app::plots) outside: Vec<Point>,
+    /// From the clamped end to the free end; empty in a solid part.
+    pub(in crate::app::plots) bore: Vec<Point>,
+}
+
+impl Lines {
+    /// The points of a set-up's part, no chord further than `tolerance` mm from its arc.
+    pub(in crate::app::plots) fn of(derived: &SetupDerived, tolerance: f64) -> Self {
+        let bore = derived.bore.as_ref().as_ref().map(|bore| bore.contour.polyline(tolerance));
+        Self { outside: derived.contour.contour.polyline(tolerance), bore: bore.unwrap_or_default() }
+    }
+
+    /// The edge of the section above the axis; see [`outline`].
+    pub(in crate::app::plots) fn outline(&self) -> Vec<Point> {
+        outline(&self.outside, &self.bore)
+    }
+}
+
+/// The edge of the section above the axis, the material on its right hand: along the outside and back along the bore. It
+/// begins and ends on the axis, or where it began in a part with a hole from end to end.
+fn outline(outside: &[Point], bore: &[Point]) -> Vec<Point> {
+    let (Some(&first), Some(&last)) = (outside.first(), outside.last()) else { return Vec::new() };
+    let open = |end: Option<&Point>, z: f64| end.is_some_and(|p| (p.z - z).abs() <= SAME_MM && p.r > SAME_MM);
+    let (open_behind, open_in_front) = (open(bore.first(), first.z), open(bore.last(), last.z));
+    let back = || bore.iter().rev().copied();
+    let foot = |p: Point| Point::new(p.z, 0.0);
+    let mut line = Vec::with_capacity(outside.len() + bore.len() + 2);
+    match (open_behind, open_in_front) {
+        (true, false) => line.extend(back()),
+        (true, true) => line.extend(bore.first()),
+        (false, _) => line.push(foot(first)),
+    }
+    line.extend(outside);
+    if open_in_front {
+        line.extend(back());
+    } else {
+        line.push(foot(last));
+    }
+    line
 }
 
 /// The line with both ends led down to the spindle axis.
 pub(in crate::app::plots) fn with_ends_on_axis(line: &[Point]) -> Vec<Point> {
-    let foot = |p: Option<&Point>| p.map(|p| Point::new(p.z, 0.0));
-    foot(line.first()).into_iter().chain(line.iter().copied()).chain(foot(line.last())).collect()
+    outline(line, &[])
+}
+
+/// Draws something that holds the work, both halves of it.
+pub(in crate::app::plots) fn body(painter: &Painter, screen: &Screen, outline: &Contour, palette: &Palette) {
+    let mut ring = outline.polyline(STOCK_CHORDS_MM);
+    ring.pop();
+    let region = Triangles::of(std::slice::from_ref(&ring));
+    region.fill(painter, screen, palette.steel);
+    region.fill_mirrored(painter, screen, palette.steel);
+    let stroke = Stroke::new(1.0, palette.steel_edge);
+    let above = from_axis_to_axis(&ring);
+    painter.add(Shape::line(on_screen(screen, &above), stroke));
+    let below: Vec<Point> = above.into_iter().map(mirrored).collect();
+    painter.add(Shape::line(on_screen(screen, &below), stroke));
 }
 
 fn threads(painter: &Painter, screen: &Screen, setup: &Setup, palette: &Palette, full_section: bool) {
-    for thread in &setup.threads {
+    for thread in setup.threads.iter().chain(&setup.bore_threads) {
         let root = [Point::new(thread.z1, thread.base_radius), Point::new(thread.z2, thread.base_radius)];
         painter.line_segment(root.map(|p| screen.pos(p)), Stroke::new(1.0, palette.edge));
-        if full_section {
+        let outside = thread.base_radius < thread.crest_radius;
+        if full_section && outside {
             let below = root.map(|p| screen.pos(mirrored(p)));
             painter.line_segment(below, Stroke::new(1.0, palette.edge_mirror));
         }

@@ -28,7 +28,7 @@ pub(super) fn handles(ui: &mut Ui, frame: &Frame<'_>, view: &mut ProfileView, ev
     for (node, pos) in reachable(frame, view) {
         tips = node_handle(ui, frame, view, &node, pos, events).or(tips);
     }
-    for section in frame.scene.part.sections.iter().filter(|s| frame.is_lit(s.id)) {
+    for section in lit_rows(frame) {
         tips = radius_handle(ui, frame, view, section, events).or(tips);
     }
     follow_drag(ui, frame, view, events);
@@ -36,6 +36,12 @@ pub(super) fn handles(ui: &mut Ui, frame: &Frame<'_>, view: &mut ProfileView, ev
         let keep_free: Vec<_> = of.iter().flat_map(|&id| frame.segments_of(id)).map(|s| frame.polyline(s)).collect();
         tip(&ui.painter_at(frame.free), frame.scene.palette, at, &lines, &keep_free);
     }
+}
+
+/// The rows of both tables that are selected or under the pointer.
+fn lit_rows<'a>(frame: &'a Frame<'_>) -> impl Iterator<Item = &'a Section> {
+    let part = frame.scene.part;
+    part.sections.iter().chain(&part.bore).filter(|s| frame.is_lit(s.id))
 }
 
 /// What is said about a handle.
@@ -259,7 +265,7 @@ fn dragged_radius(frame: &Frame<'_>, section: u32, pos: Pos2, guide: Guide) -> O
     if start.z > end.z {
         std::mem::swap(&mut start, &mut end);
     }
-    let bulges_out = matches!(row.kind, SectionKind::Convex { .. });
+    let bulges_out = matches!(row.kind, SectionKind::Convex { .. }) != frame.is_of_bore(section);
     let radius = radius_through(start, end, frame.screen.point(pos), bulges_out)? / c.unit.in_mm();
     Some(match guide.step {
         // Never below the half circle, which has no arc smaller.

@@ -40,7 +40,7 @@ pub struct NodeMove {
 impl NodeMove {
     /// Writes the new position into the rows of `part`. Rows that are gone are passed over.
     pub fn apply(&self, part: &mut TurnedPart) {
-        for section in &mut part.sections {
+        for section in part.sections.iter_mut().chain(&mut part.bore) {
             for end in [End::Start, End::Finish] {
                 let this = SectionEnd { section: section.id, end };
                 let moves = self.ends.contains(&this);
@@ -69,12 +69,17 @@ fn diameter_of(section: &mut Section, end: End) -> &mut f64 {
     }
 }
 
-/// All nodes of a part, each as a move to where it is, in the order of the table.
+/// All nodes of a part, each as a move to where it is, in the order of its tables. Those of the bore are apart from those of
+/// the outside, even at the same place.
 ///
 /// Ends are compared in the order of their places, so that the time grows with the length of the table and not with its
 /// square: this is done in every frame.
 pub(super) fn nodes(part: &TurnedPart) -> Vec<NodeMove> {
-    let mut ends: Vec<Placed> = part.sections.iter().flat_map(ends_of).enumerate().map(Placed::new).collect();
+    nodes_of(&part.sections).into_iter().chain(nodes_of(&part.bore)).collect()
+}
+
+fn nodes_of(sections: &[Section]) -> Vec<NodeMove> {
+    let mut ends: Vec<Placed> = sections.iter().flat_map(ends_of).enumerate().map(Placed::new).collect();
     ends.sort_by(|a, b| a.z.total_cmp(&b.z));
     let mut nodes: Vec<(usize, NodeMove)> = Vec::new();
     for face in ends.chunk_by_mut(|a, b| near(a.z, b.z)) {
