@@ -8,14 +8,15 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use turnwright::cancel::Cancel;
 use turnwright::diagnostic::{Diagnostic, Place};
-use turnwright::machine::{Catalog, Machine, outlines};
+use turnwright::machine::{Catalog, Dialect, Machine, outlines};
 use turnwright::proof::{self, Change, ProgramText, ProofInput, ProofReport};
 use turnwright::regen::{self, Derived, SetupDerived};
 
 /// Read programs as the lathe would and say what is wrong.
 #[derive(Debug, Args)]
 pub(crate) struct Prove {
-    /// Programs in the order they are run: page files (.cnc) or instruction files (.anc, .bnc).
+    /// Programs in the order they are run: page files (.cnc) or instruction files (.anc, .bnc) of the ORAC, programs of words
+    /// (.nc, .ngc) of all other controls.
     #[arg(required = true)]
     programs: Vec<PathBuf>,
     /// Machine that will run them.
@@ -45,7 +46,7 @@ pub(super) fn run(args: &Prove) -> Outcome {
         };
     let report = proof::prove(&input, &Cancel::default())
         .map_err(|e| vec![Diagnostic::error("cancelled", Place::Document, e.to_string())])?;
-    let differences = item.map(|item| differences(item, &given)).unwrap_or_default();
+    let differences = item.map(|item| differences(item, &given, machine.dialect)).unwrap_or_default();
     if args.json {
         print_json(args, &input, &report, &differences);
     } else {
@@ -109,10 +110,10 @@ fn after_earlier_programs(item: &SetupDerived, given: &[ProgramText]) -> Vec<Pro
     item.programs.iter().take(first).chain(given).cloned().collect()
 }
 
-fn differences(item: &SetupDerived, given: &[ProgramText]) -> Vec<Difference> {
+fn differences(item: &SetupDerived, given: &[ProgramText], dialect: Dialect) -> Vec<Difference> {
     let generated = |g: &ProgramText| index_of(item, &g.name).and_then(|k| item.post.programs.get(k));
     let of_program = |g: &ProgramText| {
-        let changes = generated(g).map(|program| proof::compare(&program.text, &g.text)).unwrap_or_default();
+        let changes = generated(g).map(|program| proof::compare(&program.text, &g.text, dialect)).unwrap_or_default();
         changes.into_iter().map(|change| Difference { program: g.name.clone(), change }).collect::<Vec<_>>()
     };
     given.iter().flat_map(of_program).collect()
@@ -133,7 +134,13 @@ fn print_text(args: &Prove, input: &ProofInput, report: &ProofReport, difference
         say(&proof::path_json(input, report));
     }
     for finding in &report.findings {
-        say(&format!("{} block {}: {}: {}", finding.program, finding.block, finding.severity, finding.message));
+        let printed = report.blocks.iter().find(|b| b.program == finding.program && b.block == finding.block);
+        let words = input.machine.words.is_some();
+        let printed = printed.and_then(|b| b.printed).filter(|_| words).map(|n| format!(" (N{n})")).unwrap_or_default();
+        say(&format!(
+            "{} block {}{printed}: {}: {}",
+            finding.program, finding.block, finding.severity, finding.message
+        ));
     }
     for difference in differences {
         say(&sentence(difference));

@@ -1,7 +1,7 @@
 //! The finished form: how deep a point lies below the contour, exactly against its lines and arcs.
 
 use super::input::{MayCut, Work};
-use crate::geometry::{Bounds, Point, Segment};
+use crate::geometry::{Bounds, Contour, Point, Segment};
 use std::f64::consts::PI;
 
 /// Positions within this of the border of a region that may be cut belong to it, mm.
@@ -16,6 +16,9 @@ pub(super) struct Form {
     pieces: Vec<Piece>,
     may_cut: Vec<MayCut>,
     highest: f64,
+    /// The finished bore.
+    bore: Vec<Piece>,
+    bore_may_cut: Vec<MayCut>,
 }
 
 /// A line or an arc along which z runs one way only.
@@ -36,16 +39,16 @@ pub(super) struct Depth {
 impl Form {
     /// The form that must come out.
     pub(super) fn new(work: &Work) -> Self {
-        let pieces: Vec<Piece> = work
-            .target
-            .contour
-            .segments
-            .iter()
-            .flat_map(one_way)
-            .map(|segment| Piece { bounds: segment.bounds(), segment })
-            .collect();
+        let pieces = pieces_of(&work.target.contour);
         let highest = pieces.iter().map(|p| p.bounds.max.r).fold(0.0, f64::max);
-        Self { pieces, may_cut: work.may_cut.clone(), highest }
+        let bore = work.target.bore.as_ref();
+        Self {
+            pieces,
+            may_cut: work.may_cut.clone(),
+            highest,
+            bore: bore.map_or_else(Vec::new, |bore| pieces_of(&bore.contour)),
+            bore_may_cut: bore.map_or_else(Vec::new, |bore| bore.may_cut.clone()),
+        }
     }
 
     /// How far below the contour a point lies, mm; 0 above it and where may be cut.
@@ -56,7 +59,10 @@ impl Form {
         let allowed =
             self.may_cut.iter().filter(|m| p.z >= m.z1.min(m.z2) - BORDER_MM && p.z <= m.z1.max(m.z2) + BORDER_MM);
         let below = allowed.map(|m| (m.radius - p.r).max(0.0)).fold(f64::INFINITY, f64::min);
-        if below <= BORDER_MM { 0.0 } else { below.min(self.distance(p)) }
+        let inside =
+            self.bore_may_cut.iter().filter(|m| p.z >= m.z1.min(m.z2) - BORDER_MM && p.z <= m.z1.max(m.z2) + BORDER_MM);
+        let beyond = inside.map(|m| (p.r - m.radius).max(0.0)).fold(f64::INFINITY, f64::min);
+        if below.min(beyond) <= BORDER_MM { 0.0 } else { below.min(beyond).min(self.distance(p)) }
     }
 
     /// The deepest point along the borders of what was taken away.
@@ -90,7 +96,12 @@ impl Form {
             look(a + along * (f64::from(k) / f64::from(samples)));
         }
         let reach = Bounds { min: a, max: a }.including(b);
-        for piece in self.pieces.iter().filter(|p| p.bounds.min.z <= reach.max.z && p.bounds.max.z >= reach.min.z) {
+        for piece in self
+            .pieces
+            .iter()
+            .chain(&self.bore)
+            .filter(|p| p.bounds.min.z <= reach.max.z && p.bounds.max.z >= reach.min.z)
+        {
             if let Segment::Arc { center, .. } = piece.segment {
                 let t = (center - a).dot(&along) / (length * length);
                 if t > 0.0 && t < 1.0 {
@@ -100,24 +111,34 @@ impl Form {
         }
     }
 
-    /// True if the contour passes above the point an odd number of times.
+    /// True if the contour passes above the point an odd number of times, and the bore does not.
     fn inside(&self, p: Point) -> bool {
-        let above = |piece: &&Piece| {
-            let (from, to) = (piece.segment.start().z, piece.segment.end().z);
-            (from <= p.z) != (to <= p.z) && piece.bounds.max.r >= p.r && radius_at(&piece.segment, p.z) > p.r
-        };
-        self.pieces.iter().filter(above).count() % 2 == 1
+        passes_above(&self.pieces, p) && !passes_above(&self.bore, p)
     }
 
     fn distance(&self, p: Point) -> f64 {
         let mut nearest = f64::INFINITY;
-        for piece in &self.pieces {
+        for piece in self.pieces.iter().chain(&self.bore) {
             if apart(piece.bounds, p) < nearest {
                 nearest = nearest.min(distance_to(&piece.segment, p));
             }
         }
         nearest
     }
+}
+
+fn pieces_of(contour: &Contour) -> Vec<Piece> {
+    let one_way = contour.segments.iter().flat_map(one_way);
+    one_way.map(|segment| Piece { bounds: segment.bounds(), segment }).collect()
+}
+
+/// True if a contour passes above the point an odd number of times.
+fn passes_above(pieces: &[Piece], p: Point) -> bool {
+    let above = |piece: &&Piece| {
+        let (from, to) = (piece.segment.start().z, piece.segment.end().z);
+        (from <= p.z) != (to <= p.z) && piece.bounds.max.r >= p.r && radius_at(&piece.segment, p.z) > p.r
+    };
+    pieces.iter().filter(above).count() % 2 == 1
 }
 
 /// Distance from a point to a rectangle, mm.
@@ -191,12 +212,16 @@ fn one_way(segment: &Segment) -> Vec<Segment> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::Contour;
-    use crate::proof::Target;
+    use crate::proof::{BoreTarget, Target};
     use proptest::prelude::*;
 
     /// A ball of radius 10 at z = 0 on a shank of radius 6 to its left.
     fn ball() -> Form {
+        ball_with(None)
+    }
+
+    /// The ball with a hole.
+    fn ball_with(bore: Option<BoreTarget>) -> Form {
         let center = Point::new(0.0, 0.0);
         let joint = Point::new(-8.0, 6.0);
         let contour = Contour::new(vec![
@@ -211,7 +236,7 @@ mod tests {
                 sections,
                 names: std::collections::BTreeMap::new(),
                 machined_from_z: -20.0,
-                bore: None,
+                bore,
             },
             program_zero_z: 0.0,
             chuck_face_z: -30.0,
@@ -229,6 +254,20 @@ mod tests {
         assert!((form.depth(Point::new(-17.0, 5.75)) - 0.25).abs() < 1e-12);
         assert_eq!(form.depth(Point::new(8.0, 8.0)), 0.0);
         assert_eq!(form.depth(Point::new(-25.0, 1.0)), 0.0);
+    }
+
+    #[test]
+    fn a_bore_is_no_gouge_but_its_wall_is_part_of_the_form() {
+        // A hole of radius 3 from the shank's end to z = 0, with a thread down to radius 3.5 at its mouth.
+        let corners = [(-20.0, 3.0), (0.0, 3.0), (0.0, 0.0)].map(|(z, r)| Point::new(z, r));
+        let contour = Contour::new(corners.windows(2).map(|w| Segment::line(w[0], w[1])).collect());
+        let may_cut = vec![MayCut { z1: -20.0, z2: -15.0, radius: 3.5 }];
+        let form = ball_with(Some(BoreTarget { contour, sections: vec![1, 1], machined_from_z: -20.0, may_cut }));
+        assert_eq!(form.depth(Point::new(-10.0, 2.5)), 0.0);
+        assert!((form.depth(Point::new(-10.0, 3.4)) - 0.4).abs() < 1e-12);
+        assert!((form.depth(Point::new(0.25, 1.0)) - 0.25).abs() < 1e-12);
+        assert_eq!(form.depth(Point::new(-17.0, 3.4)), 0.0);
+        assert!((form.depth(Point::new(-17.0, 3.75)) - 0.25).abs() < 1e-12);
     }
 
     #[test]

@@ -20,8 +20,8 @@ pub(super) fn measure(work: &Work, stock: &Region) -> Vec<Leftover> {
     let border = Border::of(stock);
     let mut sums: BTreeMap<usize, Sum> = BTreeMap::new();
     let mut order: Vec<u32> = Vec::new();
-    for (segment, &section) in work.target.contour.segments.iter().zip(&work.target.sections) {
-        for (p, weight) in samples(segment, work.target.machined_from_z) {
+    for (segment, section, from_z) in machined(work) {
+        for (p, weight) in samples(segment, from_z) {
             let index = order.iter().position(|&s| s == section).unwrap_or(order.len());
             if index == order.len() {
                 order.push(section);
@@ -36,6 +36,19 @@ pub(super) fn measure(work: &Work, stock: &Region) -> Vec<Leftover> {
         at: sum.at,
     };
     order.iter().zip(sums.values()).map(report).collect()
+}
+
+/// Segments of the outside and of the bore, with their rows and where their machining begins.
+fn machined(work: &Work) -> impl Iterator<Item = (&Segment, u32, f64)> {
+    let target = &work.target;
+    let outside = target.contour.segments.iter().zip(&target.sections);
+    let outside = outside.map(|(segment, &section)| (segment, section, target.machined_from_z));
+    let bore = target.bore.iter().flat_map(|bore| {
+        let segments = bore.contour.segments.iter().zip(&bore.sections);
+        segments.map(|(segment, &section)| (segment, section, bore.machined_from_z))
+    });
+    // What lies on the axis is no surface.
+    outside.chain(bore.filter(|(segment, ..)| segment.bounds().max.r > SAME_PLACE_MM))
 }
 
 /// Running figures of one section.

@@ -30,13 +30,30 @@ struct Row {
     made: usize,
     caught: usize,
     harmless: BTreeMap<String, usize>,
+    missed: Vec<String>,
+}
+
+/// What the proof says about the published listing on its blank: nothing is wrong with it, and its figures.
+#[test]
+fn the_published_listing_proves() {
+    let subject = parts::roll();
+    let report = report(&subject.input);
+    for finding in &report.findings {
+        println!("block {} {}: {}", finding.block, finding.severity, finding.message);
+    }
+    for left in report.leftover.iter().filter(|l| l.largest_mm > 0.001) {
+        println!("element {}: {:.3} mm at most, {:.3} mm in the mean", left.section, left.largest_mm, left.mean_mm);
+    }
+    println!("deepest gouge {:.4} mm, times {:?}", report.deepest_gouge_mm, report.times);
+    let of = |kind| report.findings.iter().filter(move |f| f.kind == kind).count();
+    assert_eq!((of(FindingKind::Unreadable), of(FindingKind::Control), of(FindingKind::RapidContact)), (0, 0, 0));
 }
 
 #[test]
 fn a_sample_of_mutants_is_caught_or_harmless() {
     let mut rows = BTreeMap::new();
-    judge(&parts::roll(), 3, &mut rows);
-    check(&rows, 20);
+    judge(&parts::roll(), 1, &mut rows);
+    check(&rows, 8);
 }
 
 #[test]
@@ -54,7 +71,7 @@ fn all_mutants_are_caught_or_harmless() {
 fn judge(subject: &Subject, most: usize, rows: &mut BTreeMap<Kind, Row>) {
     let original = report(&subject.input);
     let known = said(&original);
-    let shape = Shape::of(&subject.input, &original.moves);
+    let shape = std::cell::LazyCell::new(|| Shape::of(&subject.input, &original.moves));
     for kind in Kind::ALL {
         let row = rows.entry(kind).or_default();
         for (program, mutant) in spread(subject, kind, most) {
@@ -65,10 +82,13 @@ fn judge(subject: &Subject, most: usize, rows: &mut BTreeMap<Kind, Row>) {
                 row.caught += 1;
                 continue;
             }
-            let reason = harmless(&input, &report, &original, &shape);
-            let reason = reason.unwrap_or_else(|why| panic!("{}: {} is not caught: {why}", subject.name, mutant.what));
-            println!("{}: {}: {}: {reason}", subject.name, kind.name(), mutant.what);
-            *row.harmless.entry(reason).or_default() += 1;
+            match harmless(&input, &report, &original, &shape) {
+                Ok(reason) => {
+                    println!("{}: {}: {}: {reason}", subject.name, kind.name(), mutant.what);
+                    *row.harmless.entry(reason).or_default() += 1;
+                }
+                Err(why) => row.missed.push(format!("{}: {}: {}: {why}", subject.name, kind.name(), mutant.what)),
+            }
         }
     }
 }
@@ -124,11 +144,13 @@ fn check(rows: &BTreeMap<Kind, Row>, least: usize) {
     for (kind, row) in rows {
         let reasons: Vec<String> = row.harmless.iter().map(|(why, n)| format!("{n} {why}")).collect();
         let count: usize = row.harmless.values().sum();
-        assert_eq!(row.made, row.caught + count);
+        assert_eq!(row.made, row.caught + count + row.missed.len());
         println!("| {} | {} | {} | {count}: {} |", kind.name(), row.made, row.caught, reasons.join("; "));
         made += row.made;
         caught += row.caught;
     }
     println!("| all | {made} | {caught} | {} |", made - caught);
+    let missed: Vec<&String> = rows.values().flat_map(|row| &row.missed).collect();
+    assert!(missed.is_empty(), "not caught: {missed:#?}");
     assert!(made >= least, "{made} mutants, {least} wanted");
 }

@@ -41,7 +41,6 @@ impl Kind {
 
 /// A changed program and what was changed.
 pub(crate) struct Mutant {
-    pub(crate) kind: Kind,
     pub(crate) what: String,
     pub(crate) text: String,
 }
@@ -101,7 +100,7 @@ pub(crate) fn mutants(text: &str, kind: Kind) -> Vec<Mutant> {
                 let mut all = lines.clone();
                 all[index] = &new;
                 let what = format!("line {}: {} instead of {}", index + 1, new.trim(), line.trim());
-                made.push(Mutant { kind, what, text: all.join("\n") });
+                made.push(Mutant { what, text: all.join("\n") });
             }
         }
     }
@@ -170,7 +169,7 @@ fn dropped_lines(lines: &[&str]) -> Vec<Mutant> {
     let drop = |index: usize| {
         let mut all = lines.to_vec();
         let line = all.remove(index);
-        Mutant { kind: Kind::DroppedBlock, what: format!("line {} dropped: {line}", index + 1), text: all.join("\n") }
+        Mutant { what: format!("line {} dropped: {line}", index + 1), text: all.join("\n") }
     };
     (0..lines.len()).filter(|&i| !lines[i].trim().is_empty()).map(drop).collect()
 }
@@ -189,7 +188,7 @@ fn dropped_pages(text: &str) -> Vec<Mutant> {
         }
         let what = format!("page {index} dropped: {}", pages[index].lines().collect::<Vec<_>>().join(" "));
         let text = all.trim_end_matches('\u{2}').to_owned();
-        Mutant { kind: Kind::DroppedBlock, what, text }
+        Mutant { what, text }
     };
     (1..pages.len()).map(drop).collect()
 }

@@ -126,7 +126,7 @@ fn the_true_tools_of_the_lathe_prove_it_too() {
 fn one_changed_z_names_its_block_and_how_much() {
     // Block 42 goes 2 mm too far: the stroke runs through the contour.
     let changed = LISTING.replace("0.000  -16.994", "0.000  -18.994");
-    let changes = compare(LISTING, &changed);
+    let changes = compare(LISTING, &changed, crate::machine::Dialect::Orac);
     assert_eq!((changes.len(), changes[0].block, changes[0].difference), (1, 42, Some(-2.0)));
     let report = prove_listing(&changed);
     assert_eq!(report.first_wrong_block(), Some(("TEST1", 42)));
