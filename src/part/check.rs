@@ -58,9 +58,9 @@ impl<'a> Table<'a> {
 
     fn of(side: SectionTable, part: &TurnedPart, unit: Unit, machine: &'a Machine) -> Self {
         let part = part.scaled(unit.in_mm());
-        let (sections, curve): (_, fn(&Section) -> Result<Curve, ShapeFault>) = match side {
-            SectionTable::Outside => (&part.sections, shape::curve),
-            SectionTable::Bore => (&part.bore, |section| shape::curve(&section.seen_from_inside())),
+        let curve = |section: &Section| match side {
+            SectionTable::Outside => shape::curve(section),
+            SectionTable::Bore => shape::curve(&section.seen_from_inside()),
         };
         let row = |(number, section): (usize, &Section)| Row {
             side,
@@ -68,7 +68,7 @@ impl<'a> Table<'a> {
             section: section.clone(),
             curve: curve(section),
         };
-        Self { side, all_rows: (1..).zip(sections).map(row).collect(), part, machine, unit }
+        Self { side, all_rows: (1..).zip(part.table(side)).map(row).collect(), part, machine, unit }
     }
 
     /// Radius of the hole in the stock, mm; 0 for solid bar.

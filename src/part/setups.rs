@@ -428,7 +428,7 @@ mod tests {
                 stock_bore_diameter in prop_oneof![Just(0.0), figure()],
                 facing_allowance in prop_oneof![Just(0.0), figure()],
             ) -> TurnedPart {
-                let mut part = TurnedPart { bore, stock_bore_diameter, facing_allowance, ..fixtures::part(length, rows) };
+                let mut part = TurnedPart { facing_allowance, stock_bore_diameter, bore, ..fixtures::part(length, rows) };
                 (1..).zip(part.sections.iter_mut().chain(&mut part.bore)).for_each(|(id, row)| row.id = id);
                 let holding = if between { Holding::BetweenCentres } else { Holding::Chuck };
                 TurnedPart { part_off, holding, ends: if two { Ends::Two { split } } else { Ends::One }, ..part }

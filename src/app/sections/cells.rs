@@ -120,7 +120,7 @@ fn set_count(section: &mut Section, column: Column, text: &str) -> Result<(), St
     match (column, &mut section.kind) {
         (Column::Starts, SectionKind::Thread { starts, .. }) => *starts = count,
         (Column::Chords, SectionKind::ParabolaAlongZ { chords, .. } | SectionKind::ParabolaAlongX { chords, .. }) => {
-            *chords = count
+            *chords = count;
         }
         (_, kind) => return Err(format!("A {} has no {column}.", kind_name(kind))),
     }
