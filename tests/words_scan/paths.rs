@@ -96,6 +96,22 @@ impl List {
         self.at = to;
     }
 
+    /// Pass by pass in, along, out and back, the last one at the base.
+    fn whole_thread(&mut self, to_z: f64, outside: f64, base: f64, lead: f64, depth: f64) {
+        let from = self.at;
+        let passes = ((outside - base) / depth - 1e-6).ceil();
+        let mut pass = 1.0;
+        while pass <= passes {
+            let r = (outside - pass * depth).max(base);
+            self.rapid(Point::new(from.z, r));
+            self.all.push(Wanted::Thread { to: Point::new(to_z, r), lead });
+            self.at = Point::new(to_z, r);
+            self.rapid(Point::new(to_z, from.r));
+            self.rapid(from);
+            pass += 1.0;
+        }
+    }
+
     fn moves(&mut self, moves: &[CutMove], by: Vector) {
         for m in moves {
             match *m {
@@ -122,7 +138,9 @@ impl List {
                 CutMove::Repeat { count, step, ref body } => {
                     (0..count).for_each(|k| self.moves(body, by + step * f64::from(k)));
                 }
-                CutMove::Thread { .. } => panic!("no test has one"),
+                CutMove::Thread { to_z, outside_radius, base_radius, pitch, depth_per_cut, .. } => {
+                    self.whole_thread(to_z + by.x, outside_radius + by.y, base_radius + by.y, pitch, depth_per_cut);
+                }
             }
         }
     }
