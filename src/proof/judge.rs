@@ -1,7 +1,7 @@
 //! Judges what a move did to stock, part and jaws.
 
 use super::cut::grid::from_grid;
-use super::cut::{CONTACT_AREA_MM2, Contact, Cut, Cutting, Region};
+use super::cut::{CONTACT_AREA_MM2, Contact, Cut, Cutting, Stock, StockHistory};
 use super::findings::{Breach, Findings, Place};
 use super::form::{Depth, Form};
 use super::input::{ProofInput, Work};
@@ -27,14 +27,19 @@ impl<'a> Judge<'a> {
     /// The work before the first program; `None` without any.
     pub(super) fn new(input: &'a ProofInput) -> Option<Self> {
         let work = input.work.as_ref()?;
-        let stock = Region::of_contour(&work.stock);
+        let stock = Stock::of_contour(&work.stock);
         let cutting = Cutting::new(stock, &input.tools, &input.machine.chuck, work.chuck_face_z);
         Some(Self { work, cutting, form: Form::new(work), deepest: 0.0, slight: None })
     }
 
     /// The stock as it is.
-    pub(super) fn stock(&self) -> &Region {
+    fn stock(&self) -> &Stock {
         self.cutting.stock()
+    }
+
+    /// The stock after every move that has cut.
+    pub(super) fn into_history(self) -> StockHistory {
+        self.cutting.into_history()
     }
 
     /// Deepest gouge so far, mm.
@@ -88,7 +93,7 @@ impl<'a> Judge<'a> {
             block.removed_mm2 += cut.taken_mm2;
             block.chip_mm2 = block.chip_mm2.max(chip);
         }
-        record.stock_changed(|| self.cutting.stock().state());
+        record.stock_after = self.cutting.passes();
     }
 
     fn gouge(&mut self, cut: &Cut, place: Place, findings: &mut Findings) {

@@ -1,6 +1,6 @@
 //! What is left on the finished contour after the last program.
 
-use super::cut::Region;
+use super::cut::Stock;
 use super::cut::grid::{GridPoint, above_odd, edges, from_grid, to_grid};
 use super::form::distance_to_line;
 use super::input::Work;
@@ -16,7 +16,7 @@ const SAME_PLACE_MM: f64 = 1e-6;
 const MOST_SAMPLES: u32 = 2_000;
 
 /// Measures the stock on every machined section, in order of the contour.
-pub(super) fn measure(work: &Work, stock: &Region) -> Vec<Leftover> {
+pub(super) fn measure(work: &Work, stock: &Stock) -> Vec<Leftover> {
     let border = Border::of(stock);
     let mut sums: BTreeMap<usize, Sum> = BTreeMap::new();
     let mut order: Vec<u32> = Vec::new();
@@ -99,8 +99,9 @@ impl Border {
     /// Strips at most; a longer stock has longer last strips.
     const MOST: usize = 10_000;
 
-    fn of(stock: &Region) -> Self {
-        let all = || stock.rings().iter().flat_map(|ring| edges(ring));
+    fn of(stock: &Stock) -> Self {
+        let rings = stock.rings();
+        let all = || rings.iter().flat_map(|ring| edges(ring));
         let first = all().map(|(a, _)| a.x).min().unwrap_or(0);
         let mut border = Self { first, strips: Vec::new() };
         for (a, b) in all() {

@@ -30,6 +30,7 @@ mod structure;
 mod times;
 
 pub use compare::{Change, compare};
+pub use cut::StockHistory;
 pub use cut_by::CutBy;
 pub use input::{MayCut, ProofInput, Work};
 pub use json::{path_json, proof_json};

@@ -143,12 +143,12 @@ fn check_closed(control: &Control, place: Place, next_sets_datum: bool, findings
 }
 
 fn report(run: Run<'_>, mut findings: Findings, last: Place, names: &[String]) -> ProofReport {
-    let mut record = run.record;
+    let record = run.record;
     let mut report = ProofReport::default();
     if let Some(judge) = run.judge {
-        record.finish(judge.stock().state());
         report.leftover = judge.leftover(last, &mut findings);
         report.deepest_gouge_mm = judge.deepest_gouge_mm();
+        report.stock = judge.into_history();
     }
     let findings = findings.in_order(names);
     ProofReport {
@@ -158,7 +158,6 @@ fn report(run: Run<'_>, mut findings: Findings, last: Place, names: &[String]) -
         largest_chip_mm2: record.blocks.iter().map(|b| b.chip_mm2).fold(0.0, f64::max),
         blocks: record.blocks,
         moves: record.moves,
-        stock: record.stock,
         ..report
     }
 }

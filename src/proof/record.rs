@@ -1,11 +1,8 @@
-//! Keeps the moves, stock states, times and block reports of a proof while the programs run.
+//! Keeps the moves, times and block reports of a proof while the programs run.
 
 use super::findings::Place;
-use super::report::{BlockReport, Motion, Move, StockState, Times};
+use super::report::{BlockReport, Motion, Move, Times};
 use crate::geometry::Segment;
-
-/// Points that all stock states together may hold; beyond, every second state is dropped. 2 million points are 32 MB.
-const STOCK_POINTS: usize = 2_000_000;
 
 /// What has happened so far.
 #[derive(Debug, Default)]
@@ -16,12 +13,9 @@ pub(super) struct Record {
     pub blocks: Vec<BlockReport>,
     /// Every move.
     pub moves: Vec<Move>,
-    /// Stock states.
-    pub stock: Vec<StockState>,
+    /// Index of the stock state after the next move that is played.
+    pub stock_after: usize,
     first_block: usize,
-    points: usize,
-    changes: usize,
-    stride: usize,
 }
 
 /// A move that is to be recorded.
@@ -42,11 +36,6 @@ pub(super) struct Played {
 }
 
 impl Record {
-    /// A record that begins with the stock before the first move.
-    pub(super) fn new(stock: StockState) -> Self {
-        Self { stock: vec![stock], stride: 1, ..Self::default() }
-    }
-
     /// Starts the next program, whose blocks are all listed even if they never run.
     pub(super) fn begin_program(&mut self, name: &str, printed: &[Option<u32>]) {
         self.first_block = self.blocks.len();
@@ -78,7 +67,7 @@ impl Record {
             rpm: played.rpm,
             starts_s: self.times.total_s,
             lasts_s: played.lasts_s,
-            stock_after: self.stock.len().saturating_sub(1),
+            stock_after: self.stock_after,
         });
         self.times.total_s += played.lasts_s;
         match played.motion {
@@ -89,71 +78,5 @@ impl Record {
         if let Some(block) = self.block(place.block) {
             block.time_s += played.lasts_s;
         }
-    }
-
-    /// Adds the stock as it is after the next move that is played.
-    pub(super) fn stock_changed(&mut self, state: impl FnOnce() -> StockState) {
-        self.changes += 1;
-        if self.changes.is_multiple_of(self.stride) {
-            self.push_stock(state());
-        }
-    }
-
-    fn push_stock(&mut self, state: StockState) {
-        self.points += points(&state);
-        self.stock.push(state);
-        if self.points > STOCK_POINTS {
-            self.thin_out();
-        }
-    }
-
-    /// Drops every second state but the first; moves then show the state before their own.
-    fn thin_out(&mut self) {
-        let mut index = 0;
-        self.stock.retain(|_| {
-            index += 1;
-            index % 2 == 1
-        });
-        for played in &mut self.moves {
-            played.stock_after /= 2;
-        }
-        self.points = self.stock.iter().map(points).sum();
-        self.stride *= 2;
-    }
-
-    /// Makes sure that the last move shows the stock as it is at the end.
-    pub(super) fn finish(&mut self, state: StockState) {
-        if self.stock.last() != Some(&state) {
-            self.stock.push(state);
-            if let Some(last) = self.moves.last_mut() {
-                last.stock_after = self.stock.len() - 1;
-            }
-        }
-    }
-}
-
-fn points(state: &StockState) -> usize {
-    state.rings.iter().map(Vec::len).sum()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::geometry::Point;
-    use std::sync::Arc;
-
-    #[test]
-    fn states_are_thinned_out_and_moves_keep_pointing_at_them() {
-        let ring: Arc<Vec<Vec<Point>>> = Arc::new(vec![vec![Point::default(); 50_000]]);
-        let mut record = Record::new(StockState::default());
-        let line = Segment::line(Point::default(), Point::default());
-        let played = Played { path: line, motion: Motion::Feed, tool: 1, feed: 1.0, rpm: 1.0, lasts_s: 1.0 };
-        for _ in 0..1000 {
-            record.stock_changed(|| StockState { rings: Arc::clone(&ring) });
-            record.play(Place { program: 0, block: 1 }, played);
-        }
-        assert!(record.stock.len() <= STOCK_POINTS / 50_000);
-        assert!(record.moves.iter().all(|m| m.stock_after < record.stock.len()));
-        assert!(record.moves.is_sorted_by_key(|m| m.stock_after));
     }
 }

@@ -1,6 +1,7 @@
 //! What a proof found.
 
 use super::MayCut;
+use super::cut::StockHistory;
 use crate::diagnostic::Severity;
 use crate::geometry::{Contour, Point, Segment};
 use serde::{Deserialize, Serialize};
@@ -29,7 +30,7 @@ pub struct ProofReport {
     pub moves: Vec<Move>,
     /// Stock states in order; moves refer to them by index. The first is the stock before the first move.
     #[serde(skip)]
-    pub stock: Vec<StockState>,
+    pub stock: StockHistory,
 }
 
 impl ProofReport {

@@ -6,7 +6,7 @@ use super::input::ProofInput;
 use super::judge::Judge;
 use super::prove::{start, zero_z};
 use super::record::{Played, Record};
-use super::report::{FindingKind, Motion, StockState};
+use super::report::{FindingKind, Motion};
 use super::step::{Drive, Step, Thread};
 use super::{limits, times};
 use crate::cancel::{Cancel, Cancelled};
@@ -28,14 +28,12 @@ pub(super) struct Run<'a> {
 impl<'a> Run<'a> {
     /// Before the first program.
     pub(super) fn new(input: &'a ProofInput, cancel: &'a Cancel) -> Self {
-        let judge = Judge::new(input);
-        let stock = judge.as_ref().map_or_else(StockState::default, |judge| judge.stock().state());
         Self {
             input,
             cancel,
             program: 0,
-            record: Record::new(stock),
-            judge,
+            record: Record::default(),
+            judge: Judge::new(input),
             travel: limits::Travel::default(),
             tool: None,
             at: start(input),

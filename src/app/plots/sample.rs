@@ -4,7 +4,7 @@ use crate::document::{Ends, Holding, TurnedPart};
 use crate::geometry::{Contour, Point, Segment, Vector};
 use crate::machine::Directions;
 use crate::part::{PartContour, Profile, Section, SectionKind, Setup, ThreadSpec};
-use crate::proof::{BlockReport, Motion, Move, ProgramText, ProofReport, StockState};
+use crate::proof::{BlockReport, Motion, Move, ProgramText, ProofReport, StockHistory};
 use crate::regen::SetupDerived;
 use std::sync::Arc;
 
@@ -114,8 +114,7 @@ fn thread(row: &Section) -> Option<ThreadSpec> {
 pub(super) fn with_program(mut derived: SetupDerived) -> SetupDerived {
     let corners = [(60.0, 15.0), (60.0, 12.2), (0.0, 12.2), (0.0, 15.0), (60.0, 15.0)].map(|(z, r)| Point::new(z, r));
     let mut proof = ProofReport::default();
-    let before = StockState { rings: Arc::new(vec![derived.setup.stock.polyline(0.01)]) };
-    proof.stock.push(before);
+    proof.stock = StockHistory::uncut(&derived.setup.stock);
     for (block, ends) in (1..).zip(corners.windows(2)) {
         let starts_s = proof.times.total_s;
         proof.times.total_s += 2.0;

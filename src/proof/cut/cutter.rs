@@ -1,31 +1,44 @@
 //! A tool as the simulation needs it: convex pieces on the grid and the edges that cannot cut.
 
-use super::grid::{GridPoint, Ring, hull, to_grid, turn};
-use super::region::CHORD_TOLERANCE_MM;
+use super::grid::{GridPoint, Ring, Window, hull, to_grid, turn};
+use super::stock::CHORD_TOLERANCE_MM;
 use crate::geometry::{Contour, Segment};
 use crate::machine::ToolOutline;
 
 /// A line whose ends differ by less than this in radius, mm, lies level at the nose.
 const LEVEL_MM: f64 = 0.001;
 
+/// An edge of an outline, in its direction.
+pub(super) type Edge = [GridPoint; 2];
+
 /// A tool on the grid; the programmed point is the origin.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, PartialEq)]
 pub(in crate::proof) struct Cutter {
     /// Convex pieces of the insert.
     pub insert: Vec<Ring>,
-    /// Edges of the insert that cannot cut, in the direction of the outline.
-    pub back: Vec<[GridPoint; 2]>,
+    /// The rectangle around the insert.
+    pub insert_window: Window,
+    /// Edges of the insert that cannot cut.
+    pub back: Vec<Edge>,
     /// Convex pieces of the holder.
     pub holder: Vec<Ring>,
+    /// The rectangle around the holder.
+    pub holder_window: Window,
+    /// Edges of the holder.
+    pub holder_edges: Vec<Edge>,
 }
 
 impl Cutter {
     /// Makes a tool from its outlines.
     pub(in crate::proof) fn new(outline: &ToolOutline) -> Self {
+        let (insert, holder) = (convex_pieces(&outline.insert), convex_pieces(&outline.holder));
         Self {
-            insert: convex_pieces(&outline.insert),
+            insert_window: window_of(&insert),
+            insert,
             back: back_edges(&outline.insert),
-            holder: convex_pieces(&outline.holder),
+            holder_window: window_of(&holder),
+            holder,
+            holder_edges: outline.holder.segments.iter().flat_map(chords).collect(),
         }
     }
 }
@@ -33,7 +46,7 @@ impl Cutter {
 /// The edges that cannot cut: all but the nose and the two straight edges next to it.
 ///
 /// The nose is the lowest point of the outline with the arcs and level lines around it.
-fn back_edges(insert: &Contour) -> Vec<[GridPoint; 2]> {
+fn back_edges(insert: &Contour) -> Vec<Edge> {
     let segments = &insert.segments;
     let count = segments.len();
     let low = |s: &Segment| s.bounds().min.r;
@@ -58,7 +71,11 @@ fn back_edges(insert: &Contour) -> Vec<[GridPoint; 2]> {
     back.flat_map(|(s, _)| chords(s)).collect()
 }
 
-fn chords(segment: &Segment) -> Vec<[GridPoint; 2]> {
+fn window_of(pieces: &[Ring]) -> Window {
+    Window::around(&pieces.concat())
+}
+
+fn chords(segment: &Segment) -> Vec<Edge> {
     let points: Vec<GridPoint> =
         std::iter::once(segment.start()).chain(segment.polyline_points(CHORD_TOLERANCE_MM)).map(to_grid).collect();
     points.windows(2).map(|w| [w[0], w[1]]).collect()
@@ -76,7 +93,7 @@ fn convex_pieces(contour: &Contour) -> Vec<Ring> {
     }
     let whole = hull(ring.clone());
     let convex = ring.iter().all(|p| on_border(*p, &whole));
-    if convex { vec![whole] } else { triangles(ring) }
+    if convex { vec![whole] } else { joined(triangles(ring)) }
 }
 
 fn on_border(p: GridPoint, ring: &[GridPoint]) -> bool {
@@ -109,6 +126,26 @@ fn triangles(mut ring: Ring) -> Vec<Ring> {
     }
     pieces.push(hull(ring));
     pieces
+}
+
+/// Joins convex pieces with a common edge as long as what comes out is convex.
+fn joined(mut pieces: Vec<Ring>) -> Vec<Ring> {
+    let both = |a: &Ring, b: &Ring| {
+        let start = |i: usize| (a[i], a[(i + 1) % a.len()]);
+        let shared = |i: &usize| super::grid::edges(b).any(|(p, q)| (q, p) == start(*i));
+        (0..a.len()).find(shared)?;
+        let whole = hull(a.iter().chain(b).copied().collect());
+        let doubled = |ring: &Ring| ring.windows(2).map(|w| turn(ring[0], w[0], w[1])).sum::<i64>();
+        (doubled(&whole) == doubled(a) + doubled(b)).then_some(whole)
+    };
+    loop {
+        let pairs = (0..pieces.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+        let Some((i, j, whole)) = pairs.filter_map(|(i, j)| Some((i, j, both(&pieces[i], &pieces[j])?))).next() else {
+            return pieces;
+        };
+        pieces.remove(j);
+        pieces[i] = whole;
+    }
 }
 
 #[cfg(test)]
@@ -145,6 +182,7 @@ mod tests {
         let pieces = convex_pieces(&hook);
         assert!((pieces.iter().map(|p| area_mm2(p)).sum::<f64>() - 32.0).abs() < 1e-9);
         assert!(pieces.iter().all(|p| hull(p.clone()).len() == p.len()));
+        assert_eq!(pieces.len(), 2);
         assert!(convex_pieces(&Contour::default()).is_empty());
         let crossing = polygon(&[(0.0, 0.0), (10.0, 10.0), (10.0, 0.0), (0.0, 10.0)]);
         assert!(!convex_pieces(&crossing).is_empty());

@@ -1,23 +1,36 @@
-//! The integer grid of the stock: points, rings, convex hulls and exact tests on them.
+//! The integer grid of tools and paths: points, rings, convex hulls and exact tests on them.
 //!
-//! One unit is 10 nm. Everything that is cut lies on this grid, so a tool that goes back over its own path finds exactly
-//! the surface that it left, and nothing drifts however often the stock is cut.
+//! One unit is 10 nm. The corners of everything that cuts lie on this grid, so a tool that goes back over its own path finds
+//! exactly the surface that it left, and nothing drifts however often the stock is cut.
 
 use crate::geometry::Point;
-use i_overlay::i_float::int::point::IntPoint;
 
-/// A point of the grid; `x` is along z, `y` along r.
-pub(in crate::proof) type GridPoint = IntPoint<i32>;
+/// A point of the grid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(in crate::proof) struct GridPoint {
+    /// Along z.
+    pub x: i32,
+    /// Along r.
+    pub y: i32,
+}
+
+impl GridPoint {
+    /// The point at the given coordinates.
+    pub(in crate::proof) const fn new(x: i32, y: i32) -> Self {
+        Self { x, y }
+    }
+}
+
 /// A closed ring; material lies to the left.
 pub(in crate::proof) type Ring = Vec<GridPoint>;
 
 /// Grid units in one mm.
-const UNITS_PER_MM: f64 = 100_000.0;
+pub(super) const UNITS_PER_MM: f64 = 100_000.0;
 /// Positions beyond this, mm, are taken as being there; it is far outside any lathe of this size and keeps sums of
-/// positions and tool outlines inside the range of the polygon engine (10.7 m).
+/// positions and tool outlines, and products of their differences, inside the range of the integers.
 const FARTHEST_MM: f64 = 4_000.0;
-/// Rings closer than this to one another, grid units, only touch: rounding moves a crossing by less than one unit.
-const TOUCH: f64 = 3.0;
+/// What is thinner than this, grid units, only touches: rounding moves a corner by less than one unit.
+pub(super) const TOUCH: f64 = 3.0;
 
 /// The nearest point of the grid.
 #[allow(clippy::cast_possible_truncation, reason = "clamped to the grid")]
@@ -54,6 +67,11 @@ pub(super) fn area_mm2(ring: &[GridPoint]) -> f64 {
     doubled / 2.0 / (UNITS_PER_MM * UNITS_PER_MM)
 }
 
+/// Area of rings together, mm²; holes run clockwise and count negative.
+pub(super) fn area_of(rings: &[Ring]) -> f64 {
+    rings.iter().map(|ring| area_mm2(ring)).sum()
+}
+
 /// Way around a ring, mm.
 pub(super) fn around_mm(ring: &[GridPoint]) -> f64 {
     edges(ring).map(|(a, b)| length(a, b)).sum::<f64>() / UNITS_PER_MM
@@ -69,7 +87,7 @@ fn length(a: GridPoint, b: GridPoint) -> f64 {
 }
 
 /// A rectangle on the grid.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Window {
     /// Corner with the smallest coordinates.
     pub min: GridPoint,
@@ -80,29 +98,21 @@ pub(super) struct Window {
 impl Window {
     /// The rectangle around points; one at the origin without any.
     pub(super) fn around(points: &[GridPoint]) -> Self {
-        let first = points.first().copied().unwrap_or(GridPoint::ZERO);
+        let first = points.first().copied().unwrap_or(GridPoint::new(0, 0));
         points.iter().fold(Self { min: first, max: first }, |w, p| Self {
             min: GridPoint::new(w.min.x.min(p.x), w.min.y.min(p.y)),
             max: GridPoint::new(w.max.x.max(p.x), w.max.y.max(p.y)),
         })
     }
 
-    /// True if the edge's own rectangle shares a point with this one.
-    pub(super) fn meets_edge(&self, a: GridPoint, b: GridPoint) -> bool {
-        a.x.min(b.x) <= self.max.x
-            && a.x.max(b.x) >= self.min.x
-            && a.y.min(b.y) <= self.max.y
-            && a.y.max(b.y) >= self.min.y
-    }
-
-    /// The rectangle around both.
-    pub(super) fn union(self, other: Self) -> Self {
-        Self::around(&[self.min, self.max, other.min, other.max])
-    }
-
     /// True if the rectangles share a point.
     pub(super) fn meets(&self, other: &Self) -> bool {
-        self.meets_edge(other.min, other.max)
+        self.min.x <= other.max.x && other.min.x <= self.max.x && self.min.y <= other.max.y && other.min.y <= self.max.y
+    }
+
+    /// What an outline in this rectangle may cover while it is moved to every point of `path`.
+    pub(super) fn moved(&self, path: &Self) -> Self {
+        Self { min: plus(self.min, path.min), max: plus(self.max, path.max) }
     }
 }
 
@@ -134,41 +144,6 @@ fn half_hull<'a>(points: impl Iterator<Item = &'a GridPoint>) -> Ring {
     chain
 }
 
-/// True if material of `rings` lies inside the convex ring `hull` by more than the rounding of the grid.
-pub(super) fn overlaps(hull: &[GridPoint], rings: &[Ring]) -> bool {
-    if hull.len() < 3 {
-        return false;
-    }
-    let window = Window::around(hull);
-    let enters = |&(a, b): &(GridPoint, GridPoint)| window.meets_edge(a, b) && enters_hull(a, b, hull);
-    rings.iter().any(|ring| edges(ring).any(|edge| enters(&edge))) || contains(rings, inner_point(hull))
-}
-
-/// True if the edge passes through the inside of the convex ring: no side of the ring and not the edge itself separates them.
-fn enters_hull(a: GridPoint, b: GridPoint, hull: &[GridPoint]) -> bool {
-    let outside = |from, to, p| turn(from, to, p) as f64 <= TOUCH * length(from, to);
-    if edges(hull).any(|(from, to)| outside(from, to, a) && outside(from, to, b)) {
-        return false;
-    }
-    let reach = TOUCH * length(a, b);
-    let (left, right) = hull.iter().fold((false, false), |(left, right), &p| {
-        let side = turn(a, b, p) as f64;
-        (left || side > reach, right || side < -reach)
-    });
-    left && right
-}
-
-fn inner_point(hull: &[GridPoint]) -> GridPoint {
-    let count = i64::try_from(hull.len()).unwrap_or(1).max(1);
-    let mean = |sum: i64| i32::try_from(sum / count).unwrap_or(0);
-    GridPoint::new(mean(hull.iter().map(|p| i64::from(p.x)).sum()), mean(hull.iter().map(|p| i64::from(p.y)).sum()))
-}
-
-/// True if the point lies in the material (an odd number of ring edges lies above it).
-pub(super) fn contains(rings: &[Ring], p: GridPoint) -> bool {
-    above_odd(rings.iter().flat_map(|ring| edges(ring)), p)
-}
-
 /// True if an odd number of edges lies above the point.
 pub(in crate::proof) fn above_odd(edges: impl Iterator<Item = (GridPoint, GridPoint)>, p: GridPoint) -> bool {
     let above = |&(a, b): &(GridPoint, GridPoint)| (a.x <= p.x) != (b.x <= p.x) && (turn(a, b, p) < 0) == (a.x < b.x);
@@ -179,7 +154,7 @@ pub(in crate::proof) fn above_odd(edges: impl Iterator<Item = (GridPoint, GridPo
 mod tests {
     use super::*;
 
-    pub(super) fn ring(points: &[(i32, i32)]) -> Ring {
+    fn ring(points: &[(i32, i32)]) -> Ring {
         points.iter().map(|&(x, y)| GridPoint::new(x, y)).collect()
     }
 
@@ -190,23 +165,11 @@ mod tests {
     }
 
     #[test]
-    fn touching_is_no_overlap_but_entering_is() {
-        let hull = ring(&[(0, 0), (1000, 0), (1000, 1000), (0, 1000)]);
-        let beside = vec![ring(&[(1000, -500), (2000, -500), (2000, 1500), (1000, 1500)])];
-        let into = vec![ring(&[(990, -500), (2000, -500), (2000, 1500), (990, 1500)])];
-        let around = vec![ring(&[(-9000, -9000), (9000, -9000), (9000, 9000), (-9000, 9000)])];
-        let inside = vec![ring(&[(400, 400), (600, 400), (500, 600)])];
-        assert!(!overlaps(&hull, &beside));
-        assert!(overlaps(&hull, &into) && overlaps(&hull, &around) && overlaps(&hull, &inside));
-        assert!(!overlaps(&hull, &[]));
-    }
-
-    #[test]
     fn area_and_points_inside() {
         let square = ring(&[(0, 0), (100_000, 0), (100_000, 100_000), (0, 100_000)]);
         assert!((area_mm2(&square) - 1.0).abs() < 1e-12);
-        assert!(contains(std::slice::from_ref(&square), GridPoint::new(5, 5)));
-        assert!(!contains(std::slice::from_ref(&square), GridPoint::new(5, 100_001)));
+        assert!(above_odd(edges(&square), GridPoint::new(5, 5)));
+        assert!(!above_odd(edges(&square), GridPoint::new(5, 100_001)));
         assert!(is_sliver(&ring(&[(0, 0), (100_000, 0), (100_000, 1)])) && !is_sliver(&square));
     }
 }

@@ -1,6 +1,12 @@
 //! The region that a convex outline covers while it moves along a path.
 
+use super::columns::Columns;
 use super::grid::{GridPoint, Ring, plus};
+
+/// What convex pieces cover together while they move along `path`.
+pub(super) fn covered(pieces: &[Ring], path: &[GridPoint]) -> Columns {
+    Columns::of_rings(&pieces.iter().map(|piece| swept(piece, path)).collect::<Vec<_>>())
+}
 
 /// The ring that winds around every point covered by `outline` (convex, counter-clockwise) moved along `path`.
 ///
@@ -56,7 +62,6 @@ fn support(outline: &[GridPoint], d: (i64, i64)) -> usize {
 #[cfg(test)]
 mod tests {
     use super::super::grid::{area_mm2, hull};
-    use super::super::region::Region;
     use super::*;
     use proptest::prelude::*;
 
@@ -87,11 +92,10 @@ mod tests {
             let outline = hull(points(&raw));
             prop_assume!(outline.len() >= 3);
             let path = points(&bends);
-            let whole = Region::default().united(&[swept(&outline, &path)]);
+            let whole = covered(&[outline.clone()], &path).area_mm2();
             let parts: Vec<Ring> = path.windows(2).map(|w| swept(&outline, w)).collect();
-            let parts = Region::default().united(&parts);
-            let area = |rings: &[Ring]| rings.iter().map(|r| area_mm2(r)).sum::<f64>();
-            prop_assert!((area(&whole) - area(&parts)).abs() < 2e-3, "{} {}", area(&whole), area(&parts));
+            let parts = Columns::of_rings(&parts).area_mm2();
+            prop_assert!((whole - parts).abs() < 2e-3, "{whole} {parts}");
         }
     }
 }

@@ -13,7 +13,7 @@ fn a_good_program_leaves_the_part_and_nothing_to_say() {
     let report = prove_work(GOOD);
     assert_eq!(report.findings, []);
     assert!(report.passed && report.deepest_gouge_mm < 1e-4);
-    let cut = area(&report.stock[0]) - area(report.stock.last().unwrap());
+    let cut = area(&report.stock.first().unwrap()) - area(&report.stock.last().unwrap());
     assert!((cut - (2.0 * 30.0 + 2.0 * 10.0)).abs() < 1e-3, "{cut}");
     assert!((report.blocks.iter().map(|b| b.removed_mm2).sum::<f64>() - cut).abs() < 1e-3);
     assert_eq!(report.stock.len(), 1 + 3);
@@ -152,8 +152,8 @@ fn a_thread_cuts_its_grooves_down_to_the_base() {
     let may = Work { may_cut: vec![MayCut { z1: 23.0, z2: 30.0, radius: 5.25 }], ..work() };
     let report = prove_input(&with_work(&[&absolute(&body)], may));
     assert_eq!(faults(&report), []);
-    let before = report.stock[report.stock.len() - 2].clone();
-    let cut = area(&before) - area(report.stock.last().unwrap());
+    let before = report.stock.get(report.stock.len() - 2).unwrap();
+    let cut = area(&before) - area(&report.stock.last().unwrap());
     // Grooves of 60° at z 1.5 apart, 0.75 deep: 0.75² tan 30° each, 4 whole ones inside and one half at the end face.
     let groove = 0.75_f64.powi(2) * 30.0_f64.to_radians().tan();
     assert!((cut - 4.5 * groove).abs() < 0.01, "{cut} {}", 4.5 * groove);

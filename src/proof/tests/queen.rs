@@ -93,7 +93,7 @@ fn the_listing_is_read_and_runs_without_a_fault() {
 #[test]
 fn roughing_with_a_sharp_tool_takes_the_strokes_away() {
     let report = prove_listing(LISTING);
-    let cut = area(&report.stock[0]) - area(report.stock.last().unwrap());
+    let cut = area(&report.stock.first().unwrap()) - area(&report.stock.last().unwrap());
     let mut lowest = vec![13.1_f64; 5600];
     for m in report.moves.iter().filter(|m| m.motion == Motion::Feed) {
         let (a, b) = (m.path.start(), m.path.end());

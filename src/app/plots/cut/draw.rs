@@ -1,6 +1,7 @@
 //! The picture of the cut: stock, part, paths, tool, and what is wrong.
 
 use super::paths::Shown;
+use super::stock::Shown;
 use super::{CutView, Frame};
 use crate::app::plots::lines::{DASHED, dashed, faded, thinned};
 use crate::app::plots::palette::{LeftoverClass, Palette};
@@ -28,7 +29,7 @@ pub(super) fn picture(painter: &Painter, frame: &Frame<'_>, view: &mut CutView) 
     let index = super::stock_index_at(derived, view.time_s);
     let shown = view.states.state(derived, index, scene.form_tolerance_mm * DRAWN_GOUGE);
     if view.stock {
-        stock(painter, frame, &shown.region, index);
+        stock(painter, frame, &shown);
         swept(painter, frame, view);
     }
     part(painter, frame);
@@ -53,10 +54,10 @@ pub(super) fn picture(painter: &Painter, frame: &Frame<'_>, view: &mut CutView) 
     }
 }
 
-fn stock(painter: &Painter, frame: &Frame<'_>, region: &Triangles, index: usize) {
+fn stock(painter: &Painter, frame: &Frame<'_>, shown: &Shown) {
     let (palette, screen) = (frame.scene.palette, &frame.screen);
-    let Some(state) = frame.scene.derived.proof.stock.get(index) else { return stock_before(painter, frame) };
-    region.fill(painter, screen, palette.stock);
+    let Some(state) = &shown.state else { return stock_before(painter, frame) };
+    shown.region.fill(painter, screen, palette.stock);
     for ring in state.rings.iter() {
         painter.add(Shape::closed_line(on_screen(screen, ring), Stroke::new(1.0, palette.stock_edge)));
     }

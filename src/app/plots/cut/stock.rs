@@ -3,7 +3,7 @@
 use crate::app::plots::profile::draw::Lines;
 use crate::app::plots::regions::{Triangles, from_axis_to_axis};
 use crate::geometry::Point;
-use crate::proof::ProofReport;
+use crate::proof::{ProofReport, StockState};
 use crate::regen::SetupDerived;
 use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay_rule::OverlayRule;
@@ -26,7 +26,9 @@ pub(super) struct StockCache {
 /// One stock state ready to be drawn.
 #[derive(Debug, Default)]
 pub(super) struct Shown {
-    /// The stock.
+    /// The stock; `None` without a proof.
+    pub(super) state: Option<StockState>,
+    /// The same in triangles.
     pub(super) region: Triangles,
     /// Where it reaches into the finished part's place too little: what is gouged.
     pub(super) gouged: Triangles,
@@ -50,7 +52,7 @@ impl StockCache {
 fn shown(derived: &SetupDerived, index: usize, tolerance_mm: f64) -> Shown {
     let Some(state) = derived.proof.stock.get(index) else { return Shown::default() };
     let gouged = gouged(&part_ring(derived), &state.rings, tolerance_mm);
-    Shown { region: Triangles::of(&state.rings), gouged: Triangles::of(&gouged) }
+    Shown { region: Triangles::of(&state.rings), gouged: Triangles::of(&gouged), state: Some(state) }
 }
 
 /// The outside of the stock state `index` in front of `from_z`, from the axis round to the axis; empty without one.
