@@ -1,11 +1,14 @@
 //! The finished form: how deep a point lies below the contour, exactly against its lines and arcs.
 
 use super::input::{MayCut, Work};
-use crate::geometry::{Bounds, Contour, Point, Segment};
+use super::strips::Strips;
+use crate::geometry::{Bounds, Point, Segment};
 use std::f64::consts::PI;
 
 /// Positions within this of the border of a region that may be cut belong to it, mm.
 const BORDER_MM: f64 = 0.001;
+/// What comes no higher than this, mm, lies on the axis.
+const ON_AXIS_MM: f64 = 1e-6;
 /// Edges longer than this, mm, are looked at in between too.
 const SAMPLE_MM: f64 = 0.25;
 /// Points looked at along one edge at most.
@@ -13,15 +16,14 @@ const MOST_SAMPLES: u32 = 64;
 
 /// The finished part of one set-up.
 pub(super) struct Form {
-    pieces: Vec<Piece>,
+    /// Outside and bore.
+    pieces: Strips<Piece>,
     may_cut: Vec<MayCut>,
-    highest: f64,
-    /// The finished bore.
-    bore: Vec<Piece>,
-    bore_may_cut: Vec<MayCut>,
+    may_cut_inside: Vec<MayCut>,
 }
 
 /// A line or an arc along which z runs one way only.
+#[derive(Debug, Clone, Copy)]
 struct Piece {
     segment: Segment,
     bounds: Bounds,
@@ -39,30 +41,32 @@ pub(super) struct Depth {
 impl Form {
     /// The form that must come out.
     pub(super) fn new(work: &Work) -> Self {
-        let pieces = pieces_of(&work.target.contour);
-        let highest = pieces.iter().map(|p| p.bounds.max.r).fold(0.0, f64::max);
         let bore = work.target.bore.as_ref();
+        let segments = work.target.contour.segments.iter().chain(bore.iter().flat_map(|b| &b.contour.segments));
+        let piece = |segment: Segment| {
+            let bounds = segment.bounds();
+            (bounds.min.z, bounds.max.z, Piece { bounds, segment })
+        };
+        // What lies on the axis is no surface.
+        let surface = segments.filter(|segment| segment.bounds().max.r > ON_AXIS_MM);
+        let pieces: Vec<_> = surface.flat_map(one_way).map(piece).collect();
         Self {
-            pieces,
+            pieces: Strips::of(&pieces),
             may_cut: work.may_cut.clone(),
-            highest,
-            bore: bore.map_or_else(Vec::new, |bore| pieces_of(&bore.contour)),
-            bore_may_cut: bore.map_or_else(Vec::new, |bore| bore.may_cut.clone()),
+            may_cut_inside: bore.map_or_else(Vec::new, |b| b.may_cut.clone()),
         }
     }
 
-    /// How far below the contour a point lies, mm; 0 above it and where may be cut.
+    /// How far below the surface a point lies, mm; 0 outside the part and where may be cut.
     pub(super) fn depth(&self, p: Point) -> f64 {
-        if p.r >= self.highest || !self.inside(p) {
+        if !self.inside(p) {
             return 0.0;
         }
-        let allowed =
-            self.may_cut.iter().filter(|m| p.z >= m.z1.min(m.z2) - BORDER_MM && p.z <= m.z1.max(m.z2) + BORDER_MM);
-        let below = allowed.map(|m| (m.radius - p.r).max(0.0)).fold(f64::INFINITY, f64::min);
-        let inside =
-            self.bore_may_cut.iter().filter(|m| p.z >= m.z1.min(m.z2) - BORDER_MM && p.z <= m.z1.max(m.z2) + BORDER_MM);
-        let beyond = inside.map(|m| (p.r - m.radius).max(0.0)).fold(f64::INFINITY, f64::min);
-        if below.min(beyond) <= BORDER_MM { 0.0 } else { below.min(beyond).min(self.distance(p)) }
+        let at_z = |m: &&MayCut| p.z >= m.z1.min(m.z2) - BORDER_MM && p.z <= m.z1.max(m.z2) + BORDER_MM;
+        let below = self.may_cut.iter().filter(at_z).map(|m| m.radius - p.r);
+        let beyond = self.may_cut_inside.iter().filter(at_z).map(|m| p.r - m.radius);
+        let allowed = below.chain(beyond).fold(f64::INFINITY, f64::min);
+        if allowed <= BORDER_MM { 0.0 } else { allowed.min(self.distance(p)) }
     }
 
     /// The deepest point along the borders of what was taken away.
@@ -70,9 +74,7 @@ impl Form {
         let mut deepest: Option<Depth> = None;
         for ring in rings {
             for (&a, &b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-                if a.r.min(b.r) < self.highest {
-                    self.deepest_on_edge(a, b, &mut deepest);
-                }
+                self.deepest_on_edge(a, b, &mut deepest);
             }
         }
         deepest
@@ -81,6 +83,11 @@ impl Form {
     /// Along an edge the distance from a line is linear and that from an arc is largest where the edge passes its centre, so
     /// the ends and those points are enough as long as one segment is nearest; samples between catch the rest.
     fn deepest_on_edge(&self, a: Point, b: Point, deepest: &mut Option<Depth>) {
+        let reach = Bounds { min: a, max: a }.including(b);
+        let near = || self.pieces.between(reach.min.z, reach.max.z);
+        if near().all(|piece| piece.bounds.max.r <= reach.min.r) {
+            return;
+        }
         let mut look = |at: Point| {
             let mm = self.depth(at);
             if mm > deepest.map_or(0.0, |d| d.mm) {
@@ -95,13 +102,7 @@ impl Form {
         for k in 1..samples {
             look(a + along * (f64::from(k) / f64::from(samples)));
         }
-        let reach = Bounds { min: a, max: a }.including(b);
-        for piece in self
-            .pieces
-            .iter()
-            .chain(&self.bore)
-            .filter(|p| p.bounds.min.z <= reach.max.z && p.bounds.max.z >= reach.min.z)
-        {
+        for piece in near() {
             if let Segment::Arc { center, .. } = piece.segment {
                 let t = (center - a).dot(&along) / (length * length);
                 if t > 0.0 && t < 1.0 {
@@ -111,34 +112,20 @@ impl Form {
         }
     }
 
-    /// True if the contour passes above the point an odd number of times, and the bore does not.
+    /// True if outside and bore together pass above the point an odd number of times.
     fn inside(&self, p: Point) -> bool {
-        passes_above(&self.pieces, p) && !passes_above(&self.bore, p)
+        let above = |piece: &&Piece| {
+            let (from, to) = (piece.segment.start().z, piece.segment.end().z);
+            (from <= p.z) != (to <= p.z) && piece.bounds.max.r >= p.r && radius_at(&piece.segment, p.z) > p.r
+        };
+        self.pieces.at(p.z).iter().filter(above).count() % 2 == 1
     }
 
     fn distance(&self, p: Point) -> f64 {
-        let mut nearest = f64::INFINITY;
-        for piece in self.pieces.iter().chain(&self.bore) {
-            if apart(piece.bounds, p) < nearest {
-                nearest = nearest.min(distance_to(&piece.segment, p));
-            }
-        }
-        nearest
+        self.pieces.nearest(p.z, |piece, nearest| {
+            if apart(piece.bounds, p) < nearest { distance_to(&piece.segment, p) } else { nearest }
+        })
     }
-}
-
-fn pieces_of(contour: &Contour) -> Vec<Piece> {
-    let one_way = contour.segments.iter().flat_map(one_way);
-    one_way.map(|segment| Piece { bounds: segment.bounds(), segment }).collect()
-}
-
-/// True if a contour passes above the point an odd number of times.
-fn passes_above(pieces: &[Piece], p: Point) -> bool {
-    let above = |piece: &&Piece| {
-        let (from, to) = (piece.segment.start().z, piece.segment.end().z);
-        (from <= p.z) != (to <= p.z) && piece.bounds.max.r >= p.r && radius_at(&piece.segment, p.z) > p.r
-    };
-    pieces.iter().filter(above).count() % 2 == 1
 }
 
 /// Distance from a point to a rectangle, mm.
@@ -212,6 +199,7 @@ fn one_way(segment: &Segment) -> Vec<Segment> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Contour;
     use crate::proof::{BoreTarget, Target};
     use proptest::prelude::*;
 

@@ -1,7 +1,7 @@
 //! Judges what a move did to stock, part and jaws.
 
 use super::cut::grid::from_grid;
-use super::cut::{CONTACT_AREA_MM2, Contact, Cut, Cutting, Stock, StockHistory};
+use super::cut::{CONTACT_AREA_MM2, Contact, Cut, Cutting, Holding, Stock, StockHistory};
 use super::findings::{Breach, Findings, Place};
 use super::form::{Depth, Form};
 use super::input::{ProofInput, Work};
@@ -27,8 +27,7 @@ impl<'a> Judge<'a> {
     /// The work before the first program; `None` without any.
     pub(super) fn new(input: &'a ProofInput) -> Option<Self> {
         let work = input.work.as_ref()?;
-        let stock = Stock::of_contour(&work.stock);
-        let cutting = Cutting::new(stock, &input.tools, &input.machine.chuck, work.chuck_face_z);
+        let cutting = Cutting::new(work, &input.tools, &input.machine.chuck);
         Some(Self { work, cutting, form: Form::new(work), deepest: 0.0, slight: None })
     }
 
@@ -159,7 +158,14 @@ fn collisions(cut: &Cut, place: Place, findings: &mut Findings) {
     };
     hit(cut.flank, "flank", FindingKind::FlankCollision, "A side of the insert that cannot cut runs into the stock");
     hit(cut.holder, "holder", FindingKind::HolderCollision, "The tool holder runs into the stock");
-    hit(cut.chuck, "chuck", FindingKind::ChuckCollision, "The tool runs into the chuck");
+    for &(holding, contact) in &cut.holding {
+        let (rule, what) = match holding {
+            Holding::Chuck => ("chuck", "The tool runs into the chuck"),
+            Holding::Mandrel => ("mandrel", "The tool runs into the mandrel that drives the work"),
+            Holding::Tailstock => ("tailstock", "The tool runs into the tailstock"),
+        };
+        hit(Some(contact), rule, FindingKind::ChuckCollision, what);
+    }
 }
 
 fn contact_findings(contact: Contact, played: &Played, place: Place, findings: &mut Findings) {

@@ -26,6 +26,7 @@ mod record;
 mod report;
 mod run;
 mod step;
+mod strips;
 mod structure;
 mod times;
 

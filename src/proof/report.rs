@@ -96,7 +96,7 @@ pub enum FindingKind {
     FlankCollision,
     /// The holder ran into stock.
     HolderCollision,
-    /// Insert or holder ran into the chuck.
+    /// Insert or holder ran into the chuck, the mandrel or the tailstock.
     ChuckCollision,
     /// Insert or holder ran into the tailstock.
     TailstockCollision,

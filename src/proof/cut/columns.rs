@@ -78,9 +78,30 @@ impl Columns {
         (first..end.min(self.len())).filter_map(|index| self.get(index))
     }
 
+    /// Where the material begins and ends; `None` without any.
+    pub(super) fn reach(&self) -> Option<(i32, i32)> {
+        Some((self.heads.first()?.from, self.heads.last()?.to))
+    }
+
     /// Number of the first column that reaches beyond a position.
     pub(super) fn first_beyond(&self, x: i32) -> usize {
         self.heads.partition_point(|head| head.to <= x)
+    }
+
+    /// Number of the first column that begins at a position or behind it.
+    pub(super) fn first_from(&self, x: i32) -> usize {
+        self.heads.partition_point(|head| head.from < x)
+    }
+
+    /// Adds columns of another region, from one number to before another, behind the last column.
+    pub(super) fn copy(&mut self, other: &Self, first: usize, end: usize) {
+        let Some(column) = other.get(first).filter(|_| first < end) else { return };
+        self.push(column.from, column.to, column.spans);
+        let begin = other.heads[first].end;
+        let (rest, offset) = (&other.heads[first + 1..end], self.spans.len());
+        let Some(last) = rest.last() else { return };
+        self.spans.extend_from_slice(&other.spans[begin..last.end]);
+        self.heads.extend(rest.iter().map(|head| Head { end: head.end - begin + offset, ..*head }));
     }
 
     /// Adds material behind the last column; a column that only continues it is joined to it.
@@ -96,7 +117,7 @@ impl Columns {
 
     /// Adds all columns of another region that lies behind this one.
     pub(super) fn append(&mut self, other: &Self) {
-        other.iter().for_each(|column| self.push(column.from, column.to, column.spans));
+        self.copy(other, 0, other.len());
     }
 
     /// Lengthens the last column if the spans are its own.

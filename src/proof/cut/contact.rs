@@ -55,8 +55,9 @@ pub(super) struct Touched {
 impl Touched {
     /// Adds the stock that the holder stands in before the first step, but for what the insert takes there.
     pub(super) fn at_start(&mut self, stock: &Stock, cutter: &Cutter, start: GridPoint, overlap: &mut Overlap) {
-        if stock.may_meet(&cutter.holder_window.moved(&Window::around(&[start]))) {
-            let stood_in = stock.shared(&covered(&cutter.holder, &[start]), overlap);
+        let window = cutter.holder_window.moved(&Window::around(&[start]));
+        if stock.may_meet(&window) {
+            let stood_in = stock.shared(&covered(&cutter.holder, &[start]), &window, overlap);
             overlap.left.clear();
             overlap.subtract(&stood_in, &covered(&cutter.insert, &[start]));
             self.holder.extend(overlap.left.rings());
@@ -65,14 +66,19 @@ impl Touched {
 
     /// Adds what is in front of edges that must not meet stock on a straight step, before the insert cuts.
     pub(super) fn before(&mut self, stock: &Stock, cutter: &Cutter, step: [GridPoint; 2], overlap: &mut Overlap) {
-        touch(&mut self.flank, stock, flank_ahead(cutter, step), overlap);
-        touch(&mut self.holder, stock, holder_ahead(cutter, step), overlap);
+        let along = direction(step);
+        let near = |edge: &&Edge| faces(edge, along) && stock.may_meet(&Window::around(&swept_corners(**edge, step)));
+        let flank = cutter.back.iter().filter(near).copied();
+        touch(&mut self.flank, stock, flank, step, overlap);
+        let holder = cutter.holder_edges.iter().filter(near).flat_map(|edge| in_the_open(*edge, along, &cutter.insert));
+        touch(&mut self.holder, stock, holder, step, overlap);
     }
 
     /// Adds what the holder goes over on its way, after the insert has cut.
     pub(super) fn after(&mut self, stock: &Stock, cutter: &Cutter, points: &[GridPoint], overlap: &mut Overlap) {
-        if stock.may_meet(&cutter.holder_window.moved(&Window::around(points))) {
-            self.holder.extend(stock.shared(&covered(&cutter.holder, points), overlap).rings());
+        let window = cutter.holder_window.moved(&Window::around(points));
+        if stock.may_meet(&window) {
+            self.holder.extend(stock.shared(&covered(&cutter.holder, points), &window, overlap).rings());
         }
     }
 
@@ -82,27 +88,24 @@ impl Touched {
     }
 }
 
-fn touch(rings: &mut Vec<Ring>, stock: &Stock, ahead: impl Iterator<Item = Ring>, overlap: &mut Overlap) {
-    for ring in ahead.filter(|ring| stock.may_meet(&Window::around(ring))) {
-        rings.extend(stock.shared(&Columns::of_rings(&[ring]), overlap).rings());
+/// Adds the stock that edges cover on a straight step.
+fn touch(
+    rings: &mut Vec<Ring>,
+    stock: &Stock,
+    edges: impl Iterator<Item = Edge>,
+    step: [GridPoint; 2],
+    overlap: &mut Overlap,
+) {
+    for edge in edges {
+        let corners = swept_corners(edge, step);
+        let window = Window::around(&corners);
+        rings.extend(stock.shared(&Columns::of_rings(&[hull(corners.to_vec())]), &window, overlap).rings());
     }
 }
 
-/// What the edges of the insert that cannot cut and face forwards cover on a straight step.
-fn flank_ahead(cutter: &Cutter, step: [GridPoint; 2]) -> impl Iterator<Item = Ring> {
-    let along = direction(step);
-    cutter.back.iter().filter(move |edge| faces(edge, along)).map(move |edge| covered_by(*edge, step))
-}
-
-/// What the edges of the holder that face forwards cover on a straight step, but for the parts with the insert in front.
-fn holder_ahead(cutter: &Cutter, step: [GridPoint; 2]) -> impl Iterator<Item = Ring> {
-    let along = direction(step);
-    let forwards = cutter.holder_edges.iter().filter(move |edge| faces(edge, along));
-    forwards.flat_map(move |edge| in_the_open(*edge, along, &cutter.insert)).map(move |edge| covered_by(edge, step))
-}
-
-fn covered_by(edge: Edge, step: [GridPoint; 2]) -> Ring {
-    hull(step.iter().flat_map(|&p| edge.map(|e| plus(e, p))).collect())
+/// The corners of what an edge covers on a straight step.
+fn swept_corners([a, b]: Edge, [from, to]: [GridPoint; 2]) -> [GridPoint; 4] {
+    [plus(a, from), plus(b, from), plus(b, to), plus(a, to)]
 }
 
 fn direction([from, to]: [GridPoint; 2]) -> (f64, f64) {
@@ -134,7 +137,7 @@ fn shaded(edge: Edge, along: (f64, f64), piece: &[GridPoint]) -> Option<(f64, f6
     // Keeps what lies deeper than a touch to the left of a line through a point.
     let mut keep = |p: GridPoint, (x, y): (f64, f64)| {
         let depth = |q: GridPoint| x * (f64::from(q.y) - f64::from(p.y)) - y * (f64::from(q.x) - f64::from(p.x));
-        let needed = TOUCH * x.hypot(y);
+        let needed = TOUCH * (x * x + y * y).sqrt();
         let (a, b) = (depth(edge[0]) - needed, depth(edge[1]) - needed);
         if a <= 0.0 && b <= 0.0 {
             part = (1.0, 0.0);

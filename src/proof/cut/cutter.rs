@@ -35,7 +35,7 @@ impl Cutter {
         Self {
             insert_window: window_of(&insert),
             insert,
-            back: back_edges(&outline.insert),
+            back: back_edges(outline),
             holder_window: window_of(&holder),
             holder,
             holder_edges: outline.holder.segments.iter().flat_map(chords).collect(),
@@ -43,11 +43,18 @@ impl Cutter {
     }
 }
 
-/// The edges that cannot cut: all but the nose and the two straight edges next to it.
-///
-/// The nose is the lowest point of the outline with the arcs and level lines around it.
-fn back_edges(insert: &Contour) -> Vec<Edge> {
-    let segments = &insert.segments;
+/// The edges that cannot cut: those that the tool's data says, or else all but the nose and the two straight edges next to
+/// it.
+fn back_edges(outline: &ToolOutline) -> Vec<Edge> {
+    let segments = &outline.insert.segments;
+    let told = (outline.cutting.len() == segments.len()).then(|| outline.cutting.clone());
+    let back = segments.iter().zip(told.unwrap_or_else(|| around_nose(segments))).filter(|(_, cuts)| !cuts);
+    back.flat_map(|(s, _)| chords(s)).collect()
+}
+
+/// Marks the nose and the two straight edges next to it. The nose is the lowest point of the outline with the arcs and level
+/// lines around it.
+fn around_nose(segments: &[Segment]) -> Vec<bool> {
     let count = segments.len();
     let low = |s: &Segment| s.bounds().min.r;
     let Some(lowest) = (0..count).min_by(|&a, &b| low(&segments[a]).total_cmp(&low(&segments[b]))) else {
@@ -67,8 +74,7 @@ fn back_edges(insert: &Contour) -> Vec<Edge> {
             cuts[at] = true;
         }
     }
-    let back = segments.iter().zip(cuts).filter(|(_, cuts)| !cuts);
-    back.flat_map(|(s, _)| chords(s)).collect()
+    cuts
 }
 
 fn window_of(pieces: &[Ring]) -> Window {
@@ -171,9 +177,17 @@ mod tests {
         for (mut outline, back) in [(rhombus, 2), (blade, 1), (rounded, 1)] {
             for _ in 0..outline.segments.len() {
                 outline.segments.rotate_left(1);
-                assert_eq!(back_edges(&outline).len(), back, "{outline:?}");
+                let tool = ToolOutline { insert: outline.clone(), ..ToolOutline::default() };
+                assert_eq!(back_edges(&tool).len(), back, "{outline:?}");
             }
         }
+    }
+
+    #[test]
+    fn what_the_tool_says_of_its_edges_counts() {
+        let insert = polygon(&[(0.0, 0.0), (5.0, 4.0), (5.5, 10.0), (0.5, 6.0)]);
+        let tool = ToolOutline { insert, cutting: vec![true, true, true, false], ..ToolOutline::default() };
+        assert_eq!(back_edges(&tool).len(), 1);
     }
 
     #[test]

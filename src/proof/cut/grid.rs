@@ -83,7 +83,8 @@ pub(super) fn is_sliver(ring: &[GridPoint]) -> bool {
 }
 
 fn length(a: GridPoint, b: GridPoint) -> f64 {
-    (f64::from(b.x) - f64::from(a.x)).hypot(f64::from(b.y) - f64::from(a.y))
+    let (x, y) = (f64::from(b.x) - f64::from(a.x), f64::from(b.y) - f64::from(a.y));
+    (x * x + y * y).sqrt()
 }
 
 /// A rectangle on the grid.

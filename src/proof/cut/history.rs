@@ -2,7 +2,7 @@
 
 use super::columns::Columns;
 use super::cutter::Cutter;
-use super::grid::{GridPoint, Ring, to_grid};
+use super::grid::{GridPoint, Ring, Window, to_grid};
 use super::overlap::Overlap;
 use super::stock::{CHORD_TOLERANCE_MM, Stock};
 use super::sweep::{covered, swept};
@@ -97,7 +97,8 @@ impl StockHistory {
         let mut overlap = Overlap::default();
         for pass in passes {
             if let Some(cutter) = self.cutters.get(&pass.tool) {
-                stock.cut_away(&pass.covers(cutter), &mut overlap);
+                let window = cutter.insert_window.moved(&Window::around(&pass.points()));
+                stock.cut_away(&pass.covers(cutter), &window, &mut overlap);
             }
         }
         Some(stock.state())

@@ -18,6 +18,7 @@ mod scan;
 mod stock;
 mod sweep;
 
+use super::input::Work;
 use crate::geometry::{Contour, Point, Segment};
 use crate::machine::{Chuck, ToolOutline};
 use contact::Touched;
@@ -32,11 +33,22 @@ use std::sync::Arc;
 pub(super) use stock::Stock;
 use sweep::covered;
 
-/// The stock, the tools and the jaws.
+/// What holds the work.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Holding {
+    /// The jaws of the chuck.
+    Chuck,
+    /// What drives work between centres.
+    Mandrel,
+    /// The centre of the tailstock.
+    Tailstock,
+}
+
+/// The stock, the tools and what holds the work.
 pub(super) struct Cutting {
     stock: Stock,
     cutters: Arc<BTreeMap<u32, Cutter>>,
-    jaws: Stock,
+    held_by: Vec<(Holding, Stock)>,
     history: StockHistory,
     /// The tool that came to a place with its holder clear of the stock.
     clear: Option<(u32, GridPoint)>,
@@ -54,8 +66,8 @@ pub(super) struct Cut {
     pub flank: Option<Contact>,
     /// Stock that the holder ran into.
     pub holder: Option<Contact>,
-    /// Jaws that insert or holder ran into.
-    pub chuck: Option<Contact>,
+    /// What holds the work that insert or holder ran into.
+    pub holding: Vec<(Holding, Contact)>,
 }
 
 impl Cut {
@@ -66,24 +78,20 @@ impl Cut {
 }
 
 impl Cutting {
-    /// Stock and tools before the first move.
-    pub(super) fn new(stock: Stock, tools: &BTreeMap<u32, ToolOutline>, chuck: &Chuck, chuck_face_z: f64) -> Self {
-        let corner = |z, r| Point::new(z, r);
-        let left = chuck_face_z - chuck.depth_mm;
-        let jaws = [
-            corner(left, 0.0),
-            corner(chuck_face_z, 0.0),
-            corner(chuck_face_z, chuck.radius_mm),
-            corner(left, chuck.radius_mm),
-        ];
+    /// Work and tools before the first move.
+    pub(super) fn new(work: &Work, tools: &BTreeMap<u32, ToolOutline>, chuck: &Chuck) -> Self {
+        let stock = Stock::of_contour(&work.stock);
         let cutters: BTreeMap<u32, Cutter> =
             tools.iter().map(|(&station, outline)| (station, Cutter::new(outline))).collect();
         let cutters = Arc::new(cutters);
+        let others = [(Holding::Mandrel, &work.mandrel), (Holding::Tailstock, &work.tailstock)];
+        let others = others.into_iter().filter_map(|(holding, outline)| Some((holding, outline.clone()?)));
+        let held_by = std::iter::once((Holding::Chuck, jaws(chuck, work.chuck_face_z))).chain(others);
         Self {
             history: StockHistory::new(stock.clone(), Arc::clone(&cutters)),
             stock,
             cutters,
-            jaws: Stock::of_contour(&Contour::polygon(&jaws)),
+            held_by: held_by.map(|(holding, outline)| (holding, Stock::of_contour(&outline))).collect(),
             clear: None,
             overlap: Overlap::default(),
         }
@@ -110,7 +118,7 @@ impl Cutting {
         let Some(cutter) = cutters.get(&tool) else { return Cut::default() };
         let pass = Pass { path: *path, tool, pitch_mm: None };
         let points = pass.points();
-        let chuck = self.jaws_met(cutter, &points);
+        let holding = self.holding_met(cutter, &points);
         let mut touched = self.touched_ahead(cutter, &points);
         let start = points.first().copied().filter(|&start| self.clear != Some((tool, start)));
         start.into_iter().for_each(|start| touched.at_start(&self.stock, cutter, start, &mut self.overlap));
@@ -122,7 +130,7 @@ impl Cutting {
             taken,
             flank: Contact::of_all(&touched.flank),
             holder: Contact::of_all(&touched.holder),
-            chuck,
+            holding,
         }
     }
 
@@ -133,21 +141,28 @@ impl Cutting {
         let Some(cutter) = cutters.get(&tool) else { return (Cut::default(), 1) };
         let pass = Pass { path: Segment::line(near, far), tool, pitch_mm: Some(pitch) };
         let points = pass.points();
-        let chuck = self.jaws_met(cutter, &points);
+        let holding = self.holding_met(cutter, &points);
         let taken = self.take(cutter, &points, pass);
         let mut touched = Touched::default();
         touched.after(&self.stock, cutter, &points, &mut self.overlap);
         let holder = Contact::of_all(&touched.holder);
-        (Cut { taken_mm2: area_of(&taken), taken, flank: None, holder, chuck }, pass.grooves())
+        (Cut { taken_mm2: area_of(&taken), taken, flank: None, holder, holding }, pass.grooves())
     }
 
-    /// What insert and holder share with the jaws on their way.
-    fn jaws_met(&mut self, cutter: &Cutter, points: &[GridPoint]) -> Option<Contact> {
+    /// What insert and holder run into on their way of what holds the work.
+    fn holding_met(&mut self, cutter: &Cutter, points: &[GridPoint]) -> Vec<(Holding, Contact)> {
         let way = Window::around(points);
         let pieces = [(&cutter.insert, &cutter.insert_window), (&cutter.holder, &cutter.holder_window)];
-        let near = pieces.into_iter().filter(|(_, window)| self.jaws.may_meet(&window.moved(&way)));
-        let met = near.flat_map(|(pieces, _)| self.jaws.shared(&covered(pieces, points), &mut self.overlap).rings());
-        Contact::of_all(&met.collect::<Vec<Ring>>())
+        let pieces = pieces.map(|(pieces, window)| (pieces, window.moved(&way)));
+        let mut found = Vec::new();
+        for (holding, region) in &self.held_by {
+            let near = pieces.iter().filter(|(_, window)| region.may_meet(window));
+            let met: Vec<Ring> = near
+                .flat_map(|(pieces, w)| region.shared(&covered(pieces, points), w, &mut self.overlap).rings())
+                .collect();
+            found.extend(Contact::of_all(&met).map(|contact| (*holding, contact)));
+        }
+        found
     }
 
     /// What holder and back of the insert run into before the insert has been there.
@@ -169,7 +184,8 @@ impl Cutting {
             let mut stock = self.stock.clone();
             for step in steps() {
                 touched.before(&stock, cutter, step, &mut self.overlap);
-                stock.cut_away(&covered(&cutter.insert, &step), &mut self.overlap);
+                let window = cutter.insert_window.moved(&Window::around(&step));
+                stock.cut_away(&covered(&cutter.insert, &step), &window, &mut self.overlap);
                 touched.after(&stock, cutter, &step, &mut self.overlap);
             }
         }
@@ -178,13 +194,21 @@ impl Cutting {
 
     /// Takes away what the insert covers on its way.
     fn take(&mut self, cutter: &Cutter, points: &[GridPoint], pass: Pass) -> Vec<Ring> {
-        if !self.stock.may_meet(&cutter.insert_window.moved(&Window::around(points))) {
+        let window = cutter.insert_window.moved(&Window::around(points));
+        if !self.stock.may_meet(&window) {
             return Vec::new();
         }
-        let taken = self.stock.cut_away(&pass.covers(cutter), &mut self.overlap);
+        let taken = self.stock.cut_away(&pass.covers(cutter), &window, &mut self.overlap);
         if !taken.is_empty() {
             self.history.push(pass, &self.stock);
         }
         taken
     }
+}
+
+/// The outline of the jaws.
+fn jaws(chuck: &Chuck, face_z: f64) -> Contour {
+    let left = face_z - chuck.depth_mm;
+    let corners = [(left, 0.0), (face_z, 0.0), (face_z, chuck.radius_mm), (left, chuck.radius_mm)];
+    Contour::polygon(&corners.map(|(z, r)| Point::new(z, r)))
 }

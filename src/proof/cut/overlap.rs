@@ -31,8 +31,13 @@ impl Overlap {
     }
 
     fn compare(&mut self, region: &Columns, cut: &Columns, keep: bool) {
-        let mut first = region.get(0).map_or(0, |column| cut.first_beyond(column.from));
-        for column in region.iter() {
+        let Some((begin, end)) = cut.reach() else { return };
+        let touched = region.first_beyond(begin)..region.first_from(end).max(region.first_beyond(begin));
+        if keep {
+            self.left.copy(region, 0, touched.start);
+        }
+        let mut first = region.get(touched.start).map_or(0, |column| cut.first_beyond(column.from));
+        for column in region.between(touched.start, touched.end) {
             let mut from = column.from;
             while let Some(over) = cut.get(first).filter(|over| over.from < column.to) {
                 if over.to > from {
@@ -48,6 +53,9 @@ impl Overlap {
                 first += 1;
             }
             self.keep(from, column.to, column.spans, keep);
+        }
+        if keep {
+            self.left.copy(region, touched.end, region.len());
         }
     }
 

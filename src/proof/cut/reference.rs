@@ -5,7 +5,6 @@ use super::contact::Contact;
 use super::cutter::Cutter;
 use super::grid::{GridPoint, Ring, area_mm2, area_of, hull, is_sliver, plus};
 use super::history::Pass;
-use super::stock::Stock;
 use super::sweep::swept;
 use super::*;
 use i_overlay::core::fill_rule::FillRule;
@@ -159,9 +158,10 @@ fn moves() -> impl Strategy<Value = Vec<(u32, Segment)>> {
 }
 
 fn cutting(stock: &Contour) -> Cutting {
+    let work = Work { stock: stock.clone(), chuck_face_z: -32.0, ..crate::proof::tests::work() };
     let catalog = crate::machine::Catalog::shipped();
     let chuck = Chuck { radius_mm: 20.0, ..catalog.machine("orac").unwrap().chuck };
-    Cutting::new(Stock::of_contour(stock), &tools(), &chuck, -32.0)
+    Cutting::new(&work, &tools(), &chuck)
 }
 
 /// Areas that may differ by the rounding of every edge, mm².

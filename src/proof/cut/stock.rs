@@ -68,23 +68,19 @@ impl Stock {
         rest.filter(move |(_, chunk)| chunk.window.meets(&window)).map(move |(k, chunk)| (first + k, &**chunk))
     }
 
-    /// What the region shares with another one.
-    pub(super) fn shared(&self, other: &Columns, overlap: &mut Overlap) -> Columns {
-        let mut shared = Columns::default();
-        if let Some(window) = other.window() {
-            overlap.shared.clear();
-            self.near(&window).for_each(|(_, chunk)| overlap.share(&chunk.columns, other));
-            std::mem::swap(&mut shared, &mut overlap.shared);
-        }
-        shared
+    /// What the region shares with another one, which lies in `window`.
+    pub(super) fn shared(&self, other: &Columns, window: &Window, overlap: &mut Overlap) -> Columns {
+        overlap.shared.clear();
+        self.near(window).for_each(|(_, chunk)| overlap.share(&chunk.columns, other));
+        std::mem::take(&mut overlap.shared)
     }
 
-    /// Takes away what `cut` covers and returns the outlines of what was taken; slivers alone are left where they are.
-    pub(super) fn cut_away(&mut self, cut: &Columns, overlap: &mut Overlap) -> Vec<Ring> {
-        let Some(window) = cut.window() else { return Vec::new() };
+    /// Takes away what `cut` covers, which lies in `window`, and returns the outlines of what was taken; slivers alone are
+    /// left where they are.
+    pub(super) fn cut_away(&mut self, cut: &Columns, window: &Window, overlap: &mut Overlap) -> Vec<Ring> {
         overlap.shared.clear();
         let mut changed: Vec<(usize, Columns)> = Vec::new();
-        for (index, chunk) in self.near(&window) {
+        for (index, chunk) in self.near(window) {
             overlap.left.clear();
             if overlap.subtract(&chunk.columns, cut) {
                 changed.push((index, overlap.left.clone()));

@@ -122,7 +122,7 @@ pub(super) fn kinds(report: &ProofReport) -> Vec<(FindingKind, usize)> {
 pub(super) const LENGTH: f64 = 30.0;
 
 /// A bar of radius 10 from z −40 to 30, chuck face at −10, to become a cylinder of radius 8 up to z 20 and 6 from there.
-pub(super) fn work() -> Work {
+pub(in crate::proof) fn work() -> Work {
     let p = Point::new;
     let contour = Contour::new(vec![
         Segment::line(p(0.0, 8.0), p(20.0, 8.0)),

@@ -194,3 +194,68 @@ fn an_arc_cut_leaves_the_arc() {
     assert!(report.deepest_gouge_mm < 0.001, "{:?}", report.findings);
     assert!(left.largest_mm < 0.001, "{left:?}");
 }
+
+#[test]
+fn mandrel_and_tailstock_must_stay_clear() {
+    let mandrel = Some(polygon(&[(-10.0, 0.0), (-2.0, 0.0), (-2.0, 14.0), (-10.0, 14.0)]));
+    let tailstock = Some(polygon(&[(LENGTH, 0.0), (LENGTH + 10.0, 0.0), (LENGTH + 10.0, 5.0), (LENGTH, 1.0)]));
+    let between = Work { mandrel, tailstock, ..work() };
+    let prove_between = |body: &str| prove_input(&with_work(&[&absolute(body)], between.clone()));
+    let message =
+        |report: &ProofReport| report.findings.iter().find(|f| f.kind == ChuckCollision).map(|f| f.message.clone());
+    let at_mandrel = prove_between("PTP 12 -35 80 1 1000\nPTP 12 20 1000 1 1000");
+    assert!(message(&at_mandrel).is_some_and(|m| m.contains("mandrel")), "{:?}", at_mandrel.findings);
+    let at_tailstock = prove_between("PTP 4 20 1000 1 1000\nPTP 4 5 1000 1 1000\nPTP 12 5 1000 1 1000");
+    assert!(message(&at_tailstock).is_some_and(|m| m.contains("tailstock")), "{:?}", at_tailstock.findings);
+    assert_eq!(faults(&prove_between(GOOD)), []);
+}
+
+/// A boring bar that cuts with its upper left corner, far from its shank.
+fn boring_bar() -> crate::machine::ToolOutline {
+    crate::machine::ToolOutline {
+        insert: polygon(&[(0.0, 0.0), (0.0, -1.0), (2.0, -1.0), (1.0, 0.0)]),
+        holder: polygon(&[(1.0, -3.0), (40.0, -3.0), (40.0, -0.5), (1.0, -0.5)]),
+        kind: crate::machine::ToolKind::Boring,
+        cutting: vec![true, false, true, true],
+        ..Default::default()
+    }
+}
+
+#[test]
+fn a_bore_is_cut_gouged_and_measured() {
+    let p = Point::new;
+    // A tube with a hole of radius 4 that is to become 5 over the first 12 mm.
+    let bore = Contour::new(vec![
+        Segment::line(p(0.0, 4.0), p(18.0, 4.0)),
+        Segment::line(p(18.0, 4.0), p(18.0, 5.0)),
+        Segment::line(p(18.0, 5.0), p(LENGTH, 5.0)),
+    ]);
+    let target = Target {
+        bore: Some(BoreTarget { contour: bore, sections: vec![0, 9, 9], machined_from_z: 0.0, may_cut: Vec::new() }),
+        ..work().target
+    };
+    let tube = Work { stock: polygon(&[(-40.0, 4.0), (LENGTH, 4.0), (LENGTH, 10.0), (-40.0, 10.0)]), target, ..work() };
+    let prove_bore = |body: &str| {
+        let mut input = with_work(&[&absolute(body)], tube.clone());
+        input.tools = std::sync::Arc::new(std::collections::BTreeMap::from([(1, boring_bar())]));
+        prove_input(&input)
+    };
+    let left = |report: &ProofReport| report.leftover.iter().find(|l| l.section == 9).map(|l| l.largest_mm);
+    let good = prove_bore("PTP 5 20 1000 1 1000\nPTP 5 -12 80 1 1000\nPTP 3.5 -12 80 1 1000\nPTP 3.5 20 1000 1 1000");
+    assert_eq!(faults(&good), []);
+    assert!(left(&good).is_some_and(|mm| mm < 1e-4), "{:?}", good.leftover);
+    let shy =
+        prove_bore("PTP 4.8 20 1000 1 1000\nPTP 4.8 -12 80 1 1000\nPTP 3.5 -12 80 1 1000\nPTP 3.5 20 1000 1 1000");
+    assert!(left(&shy).is_some_and(|mm| (mm - 0.2).abs() < 0.01), "{:?}", shy.leftover);
+    let deep =
+        prove_bore("PTP 5.3 20 1000 1 1000\nPTP 5.3 -12 80 1 1000\nPTP 3.5 -12 80 1 1000\nPTP 3.5 20 1000 1 1000");
+    assert!(
+        faults(&deep).contains(&(Gouge, HEAD + 2)) && (deep.deepest_gouge_mm - 0.3).abs() < 1e-3,
+        "{:?}",
+        deep.findings
+    );
+    let rapid = prove_bore(
+        "PTP 3.5 20 1000 1 1000\nPTP 3.5 -12 1000 1 1000\nPTP 4.5 -12 1000 1 1000\nPTP 3.5 -12 1000 1 1000\nPTP 3.5 20 1000 1 1000",
+    );
+    assert_eq!(faults(&rapid), [(RapidContact, HEAD + 3)]);
+}

@@ -8,5 +8,5 @@ mod running;
 
 use super::*;
 use crate::geometry::{Contour, Point, Segment};
-pub(in crate::proof) use bench_lathe::word_lathe;
 use bench_lathe::*;
+pub(in crate::proof) use bench_lathe::{word_lathe, work};

@@ -1,7 +1,7 @@
 //! The picture of the cut: stock, part, paths, tool, and what is wrong.
 
 use super::paths::Shown;
-use super::stock::Shown;
+use super::stock;
 use super::{CutView, Frame};
 use crate::app::plots::lines::{DASHED, dashed, faded, thinned};
 use crate::app::plots::palette::{LeftoverClass, Palette};
@@ -29,7 +29,7 @@ pub(super) fn picture(painter: &Painter, frame: &Frame<'_>, view: &mut CutView) 
     let index = super::stock_index_at(derived, view.time_s);
     let shown = view.states.state(derived, index, scene.form_tolerance_mm * DRAWN_GOUGE);
     if view.stock {
-        stock(painter, frame, &shown);
+        stock_left(painter, frame, &shown);
         swept(painter, frame, view);
     }
     part(painter, frame);
@@ -54,7 +54,7 @@ pub(super) fn picture(painter: &Painter, frame: &Frame<'_>, view: &mut CutView) 
     }
 }
 
-fn stock(painter: &Painter, frame: &Frame<'_>, shown: &Shown) {
+fn stock_left(painter: &Painter, frame: &Frame<'_>, shown: &stock::Shown) {
     let (palette, screen) = (frame.scene.palette, &frame.screen);
     let Some(state) = &shown.state else { return stock_before(painter, frame) };
     shown.region.fill(painter, screen, palette.stock);
