@@ -14,11 +14,12 @@ mod spindle;
 mod tool;
 mod words;
 
+pub use check::Fault;
 pub use material::{CuttingData, CuttingOperation, Material, OperationData, OracData, ToolMaterial};
 pub use motion::{Axis, Motion};
 pub use outline::{ToolKind, ToolOutline, outlines};
 pub use power::Chip;
-pub use save::{Item, save_user, to_toml};
+pub use save::{Item, faults, save_user, to_toml};
 use serde::{Deserialize, Serialize};
 pub use serial::{
     BAUD, DC1, DC2, DC3, DC4, Delivery, EndOfBlock, FlowControl, FolderProfile, PageMarks, Parity, Protocol,

@@ -17,6 +17,8 @@ impl Item for Tool {}
 impl Item for Material {}
 
 mod private {
+    use super::Fault;
+
     /// What differs between the kinds of files.
     pub trait Kind {
         /// Folder of the user's files.
@@ -25,8 +27,8 @@ mod private {
         const LIST: Option<&'static str>;
         /// What tells items apart.
         fn key(&self) -> String;
-        /// The first thing that cannot be right.
-        fn mistake(&self) -> Option<String>;
+        /// Everything that cannot be right.
+        fn faults(&self) -> Vec<Fault>;
         /// Keys of the items in the text of a file.
         fn keys_in(text: &str) -> Vec<String>;
     }
@@ -38,8 +40,8 @@ impl private::Kind for Machine {
     fn key(&self) -> String {
         self.id.clone()
     }
-    fn mistake(&self) -> Option<String> {
-        first(&check::machine(self))
+    fn faults(&self) -> Vec<Fault> {
+        check::machine(self)
     }
     fn keys_in(text: &str) -> Vec<String> {
         file::machines(Source { name: "", text }, &mut Vec::new()).iter().map(|item| item.value.key()).collect()
@@ -52,8 +54,8 @@ impl private::Kind for Tool {
     fn key(&self) -> String {
         self.id.clone()
     }
-    fn mistake(&self) -> Option<String> {
-        first(&check::tool(self))
+    fn faults(&self) -> Vec<Fault> {
+        check::tool(self)
     }
     fn keys_in(text: &str) -> Vec<String> {
         file::tools(Source { name: "", text }, &mut Vec::new()).iter().map(|item| item.value.key()).collect()
@@ -66,16 +68,18 @@ impl private::Kind for Material {
     fn key(&self) -> String {
         format!("{} {}", self.name.to_lowercase(), self.unit.symbol())
     }
-    fn mistake(&self) -> Option<String> {
-        first(&check::material(self))
+    fn faults(&self) -> Vec<Fault> {
+        check::material(self)
     }
     fn keys_in(text: &str) -> Vec<String> {
         file::materials(Source { name: "", text }, &mut Vec::new()).iter().map(|item| item.value.key()).collect()
     }
 }
 
-fn first(faults: &[Fault]) -> Option<String> {
-    faults.first().map(|fault| format!("{}: {}", fault.path, fault.message))
+/// Everything that cannot be right in an item, field by field. What it names is looked for when it is loaded.
+#[must_use]
+pub fn faults<T: Item>(item: &T) -> Vec<Fault> {
+    item.faults()
 }
 
 /// The text of a file with this item alone, which reads back equal.
@@ -99,8 +103,9 @@ pub fn to_toml<T: Item>(item: &T) -> String {
 pub fn save_user<T: Item>(user_dir: &Path, item: &T) -> Result<PathBuf, Diagnostic> {
     let folder = user_dir.join(T::FOLDER);
     let path = folder.join(file_name(&item.key()));
-    if let Some(mistake) = item.mistake() {
-        return Err(Diagnostic::error("machine-data", file_place(&path), format!("{mistake} It is not saved.")));
+    if let Some(fault) = item.faults().first() {
+        let message = format!("{}: {} It is not saved.", fault.path, fault.message);
+        return Err(Diagnostic::error("machine-data", file_place(&path), message));
     }
     if let Some(other) = later_file_with::<T>(&folder, &path, &item.key()) {
         let message =

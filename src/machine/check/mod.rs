@@ -14,11 +14,11 @@ pub(super) use tool::tool;
 
 /// A value of a file that cannot be right.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Fault {
+pub struct Fault {
     /// Keys from the item down to the value, joined by dots; an entry of a list is its index from 0.
-    pub(super) path: String,
+    pub path: String,
     /// A sentence with the value and the limit.
-    pub(super) message: String,
+    pub message: String,
 }
 
 /// Lengths on a lathe, mm. Wide enough for any lathe; catches slipped decimal points and wrong units.
