@@ -6,7 +6,8 @@ mod common;
 
 use common::Window;
 use egui_kittest::kittest::Queryable;
-use turnwright::app::Action;
+use turnwright::app::data::Kind;
+use turnwright::app::{Action, Surroundings};
 
 #[test]
 fn start_page() {
@@ -68,4 +69,29 @@ fn transfer_under_way() {
     assert!(window.harness.query_by_label("Abort").is_some());
     window.click("Abort");
     window.until("aborted", |desk| desk.transfer_outcome().is_some());
+}
+
+#[test]
+fn operations_panel() {
+    let mut window = Window::open();
+    window.open_example("1470b-2T");
+    window.harness.get_by_label_contains("Operation 3: ").click();
+    window.harness.run_steps(4);
+    window.harness.remove_cursor();
+    window.harness.run_steps(3);
+    window.screenshot("operations-panel");
+    assert!(!window.session().lit().blocks.is_empty());
+}
+
+#[test]
+fn tool_editor() {
+    let folder = tempfile::tempdir().unwrap();
+    let surroundings = Surroundings { config_folder: Some(folder.path().to_owned()), ..Surroundings::default() };
+    let mut window = Window::with(egui::Theme::Light, surroundings);
+    window.open_example("QUEEN");
+    let ctx = window.harness.ctx.clone();
+    window.desk().act(&ctx, Action::EditData(Kind::Tools, Some("svjbr-vbmt-04".to_owned())));
+    window.harness.run_steps(30);
+    window.screenshot("tool-editor");
+    assert!(window.harness.query_by_label("Picture of the tool").is_some());
 }

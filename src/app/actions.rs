@@ -1,5 +1,6 @@
 //! What a person asks of the window as a whole. Panels ask, the desk acts after the frame.
 
+use super::data::{Entry, Kind};
 use super::layout::Pane;
 use crate::diagnostic::Place;
 use std::path::PathBuf;
@@ -63,6 +64,10 @@ pub enum Action {
     Recover(usize),
     /// Throw away what a run that crashed left behind, by index.
     ForgetRecovered(usize),
+    /// Edit machines, tools or materials; with an id, that one first.
+    EditData(Kind, Option<String>),
+    /// Save a machine, a tool or a material among the user's own.
+    SaveData(Box<Entry>),
     /// List the keyboard shortcuts.
     Shortcuts,
     /// Close the window.

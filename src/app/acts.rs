@@ -1,12 +1,14 @@
 //! What the desk does when it is asked to.
 
 use super::actions::Action;
+use super::data::{DataEditor, Entry, Kind};
 use super::desk::{Desk, Views};
 use super::dialogs::{Dialog, FileDialog, Purpose, UnsavedQuestion};
 use super::files::Written;
 use super::layout::{Layout, Pane};
 use crate::diagnostic::Place;
 use crate::document::{Content, Document, Ends, FORMAT_VERSION, TurnedPart};
+use crate::machine::Catalog;
 use crate::part::Section;
 use crate::proof::BlockRef;
 use crate::session::{Origin, Session};
@@ -71,6 +73,8 @@ impl Desk {
             Action::Shortcuts => self.dialog = Some(Dialog::Shortcuts),
             Action::GoTo(place) => self.go_to(&place),
             Action::ShowBlock => self.show_block(),
+            Action::EditData(kind, key) => self.edit_data(kind, key.as_deref()),
+            Action::SaveData(entry) => self.save_data(ctx, &entry),
             Action::Send => self.send(ctx, false),
             Action::SendAllTheSame => self.send(ctx, true),
         }
@@ -132,7 +136,7 @@ impl Desk {
     fn save(&mut self, ctx: &Context) {
         let Some(session) = &self.session else { return };
         match session.path() {
-            Some(path) => self.files.write(path.to_owned(), Arc::clone(session.document())),
+            Some(path) => self.files.write(path.to_owned(), Arc::clone(session.document()), Arc::clone(&self.catalog)),
             None => self.ask_file(ctx, Purpose::SaveAs, "turn"),
         }
     }
@@ -159,7 +163,7 @@ impl Desk {
 
     fn write(&mut self, path: PathBuf) {
         if let Some(session) = &self.session {
-            self.files.write(path, Arc::clone(session.document()));
+            self.files.write(path, Arc::clone(session.document()), Arc::clone(&self.catalog));
         }
     }
 
@@ -192,6 +196,32 @@ impl Desk {
         }
         if let Some(action) = self.after_save.take() {
             self.act(ctx, action);
+        }
+    }
+
+    fn edit_data(&mut self, kind: Kind, key: Option<&str>) {
+        let has_folder = self.surroundings.config_folder.is_some();
+        let editor = DataEditor::new(Arc::clone(&self.catalog), kind, key, has_folder);
+        self.dialog = Some(Dialog::Data(Box::new(editor)));
+    }
+
+    /// Saves an item of data and lets everything follow from it.
+    fn save_data(&mut self, ctx: &Context, entry: &Entry) {
+        let Some(folder) = self.surroundings.config_folder.clone() else { return };
+        match entry.save(&folder) {
+            Ok(path) => self.say_done(&format!("Saved {}.", path.display())),
+            Err(reason) => return self.say_all(&[reason]),
+        }
+        let (catalog, complaints) = Catalog::load(Some(&folder));
+        self.catalog = Arc::new(catalog);
+        self.say_all(&complaints);
+        if let Some(Dialog::Data(editor)) = &mut self.dialog {
+            editor.reload(Arc::clone(&self.catalog));
+        }
+        if let Some(session) = &mut self.session {
+            let (catalog, ctx) = (Arc::clone(&self.catalog), ctx.clone());
+            let make = move || crate::worker::regenerating(Arc::clone(&catalog));
+            session.work_anew(make, move || ctx.request_repaint());
         }
     }
 

@@ -4,6 +4,7 @@ use super::actions::Action;
 use super::dialogs::{self, Dialog};
 use super::files::{self, Files};
 use super::layout::{Layout, Pane};
+use super::operations::OperationsView;
 use super::plots::{CutView, Palette, ProfileView, SolidView};
 use super::problems::ProblemsView;
 use super::program::ProgramView;
@@ -92,6 +93,7 @@ pub(crate) struct Settings {
 #[derive(Default)]
 pub(crate) struct Views {
     pub(crate) sections: SectionsView,
+    pub(crate) operations: OperationsView,
     pub(crate) profile: ProfileView,
     pub(crate) cut: CutView,
     pub(crate) solid: SolidView,
@@ -134,7 +136,7 @@ impl Desk {
         let recovered = files::recovered(surroundings.recovery_folder.as_deref());
         let notify = move || repaint.request_repaint();
         let mut desk = Self {
-            files: Files::start(surroundings.recovery_folder.clone(), Arc::clone(&catalog), notify),
+            files: Files::start(surroundings.recovery_folder.clone(), notify),
             start: StartPage::new(&catalog),
             surroundings,
             catalog,

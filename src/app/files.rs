@@ -21,7 +21,7 @@ pub(crate) struct Written {
 }
 
 enum Order {
-    Write(PathBuf, Arc<Document>),
+    Write(PathBuf, Arc<Document>, Arc<Catalog>),
     Text(PathBuf, Arc<str>),
     Recovery(Arc<Document>, Option<PathBuf>),
     DiscardRecovery,
@@ -37,18 +37,14 @@ pub(crate) struct Files {
 
 impl Files {
     /// Starts the thread. Recovery files go into `recovery_folder`; without one there are none.
-    pub(crate) fn start(
-        recovery_folder: Option<PathBuf>,
-        catalog: Arc<Catalog>,
-        notify: impl Fn() + Send + 'static,
-    ) -> Self {
+    pub(crate) fn start(recovery_folder: Option<PathBuf>, notify: impl Fn() + Send + 'static) -> Self {
         let (orders, inbox) = channel();
         let (outbox, written) = channel();
         let thread = std::thread::spawn(move || {
             let recovery = recovery_folder.and_then(|folder| RecoverySession::start(&folder, SystemTime::now()).ok());
             for order in inbox {
                 match order {
-                    Order::Write(path, document) => {
+                    Order::Write(path, document, catalog) => {
                         let result = export::any(&document, &catalog, &path);
                         // The window may be gone; the file is written all the same.
                         let _ = outbox.send(Written { path, document: Some(document), result });
@@ -79,9 +75,9 @@ impl Files {
         Self { orders, written, thread: Some(thread) }
     }
 
-    /// Writes `document`; the kind of file goes by the extension of `path`.
-    pub(crate) fn write(&self, path: PathBuf, document: Arc<Document>) {
-        let _ = self.orders.send(Order::Write(path, document));
+    /// Writes `document`, which names things of `catalog`; the kind of file goes by the extension of `path`.
+    pub(crate) fn write(&self, path: PathBuf, document: Arc<Document>, catalog: Arc<Catalog>) {
+        let _ = self.orders.send(Order::Write(path, document, catalog));
     }
 
     /// Writes a text as it is.

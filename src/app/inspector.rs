@@ -1,6 +1,7 @@
 //! What is selected, with every value of it; the part as a whole while nothing is.
 
 use super::desk::Requests;
+use super::operations::{self, OperationsView};
 use super::plots::fixed;
 use super::sections::cells;
 use super::sections::tsv::COLUMNS;
@@ -16,18 +17,28 @@ use egui::{RichText, Ui};
 const LABEL: f32 = 86.0;
 
 /// Shows the panel; true if it is dragged by its title.
-pub(crate) fn show(ui: &mut Ui, session: &mut Session, requests: &Requests, titled: bool) -> bool {
+pub(crate) fn show(
+    ui: &mut Ui,
+    view: &mut OperationsView,
+    session: &mut Session,
+    requests: &mut Requests,
+    titled: bool,
+) -> bool {
     let selected = session.selection.section;
     let found = selected.and_then(|id| session.part().row(id));
     let found = found.map(|(table, row, section)| (table, row, section.clone()));
-    let title = match &found {
-        Some((table, row, section)) => capital(&cells::row_name(*table, *row, section)),
-        None => "Part".to_owned(),
+    let title = match (&found, session.selection.operation) {
+        (Some((table, row, section)), _) => capital(&cells::row_name(*table, *row, section)),
+        (None, Some(index)) => view.title(index),
+        (None, None) => "Part".to_owned(),
     };
     let dragged = title_row(ui, titled.then_some(title.as_str()), "", |_| {});
-    egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| match found {
-        Some((table, row, section)) => of_section(ui, session, &section, table, row),
-        None => of_part(ui, session, requests),
+    egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
+        match (found, session.selection.operation) {
+            (Some((table, row, section)), _) => of_section(ui, session, &section, table, row),
+            (None, Some(index)) => operations::inspect(ui, view, session, requests, index),
+            (None, None) => of_part(ui, session, requests),
+        }
     });
     dragged
 }
@@ -98,7 +109,8 @@ fn write(session: &mut Session, section: &Section, label: &str, change: impl FnO
     });
 }
 
-fn fact(ui: &mut Ui, label: &str, text: &str) {
+/// A value that follows and cannot be edited.
+pub(crate) fn fact(ui: &mut Ui, label: &str, text: &str) {
     ui.horizontal(|ui| {
         form_label(ui, label, LABEL);
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {

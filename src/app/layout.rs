@@ -10,8 +10,10 @@ use serde::{Deserialize, Serialize};
 /// A panel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub enum Pane {
-    /// Section table, stock and operations.
+    /// Section table and stock.
     Sections,
+    /// What is done in which order.
+    Operations,
     /// The part.
     Profile,
     /// Tool paths and playback.
@@ -30,8 +32,9 @@ pub enum Pane {
 
 impl Pane {
     /// All panels in the order of the View menu.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Sections,
+        Self::Operations,
         Self::Profile,
         Self::Cut,
         Self::Program,
@@ -46,6 +49,7 @@ impl Pane {
     pub const fn title(self) -> &'static str {
         match self {
             Self::Sections => "Sections",
+            Self::Operations => "Operations",
             Self::Profile => "Profile",
             Self::Cut => "Cut",
             Self::Program => "Program",
@@ -73,12 +77,13 @@ impl Layout {
     #[must_use]
     pub(crate) fn standard() -> Self {
         let mut tiles = Tiles::default();
-        let [sections, profile, cut, program, problems, solid, inspector, transfer] =
+        let [sections, operations, profile, cut, program, problems, solid, inspector, transfer] =
             Pane::ALL.map(|p| tiles.insert_pane(p));
         let text = tiles.insert_tab_tile(vec![program, problems, solid]);
         let middle = column(&mut tiles, &[(profile, 0.385), (cut, 0.375), (text, 0.24)]);
         let right = column(&mut tiles, &[(inspector, 0.49), (transfer, 0.51)]);
-        let root = share(&mut tiles, LinearDir::Horizontal, &[(sections, 0.302), (middle, 0.503), (right, 0.195)]);
+        let left = column(&mut tiles, &[(sections, 0.72), (operations, 0.28)]);
+        let root = share(&mut tiles, LinearDir::Horizontal, &[(left, 0.302), (middle, 0.503), (right, 0.195)]);
         Self { tree: Tree::new(Id::unique("desk-layout"), root, tiles) }
     }
 

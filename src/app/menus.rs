@@ -1,11 +1,13 @@
 //! The line at the head of the window: menus, name of the document, verdict of the proof, Send.
 
 use super::actions::Action;
+use super::data::Kind;
 use super::desk::Requests;
 use super::layout::{Layout, Pane};
 use super::shortcuts;
 use super::theme::{self, Colors};
 use super::widgets::{chip, clock, primary_button};
+use crate::machine::Dialect;
 use crate::session::{SaveState, Session, Verdict};
 use egui::{Align, Button, KeyboardShortcut, RichText, Ui};
 
@@ -160,6 +162,14 @@ fn machine(ui: &mut Ui, session: Option<&Session>, hindrance: Option<&str>, requ
         if item(ui, "Transfer panel", None, session.is_some()) {
             requests.actions.push(Action::ShowPane(Pane::Transfer));
         }
+        ui.separator();
+        for (kind, text) in [(Kind::Tools, "Tools…"), (Kind::Machines, "Machines…"), (Kind::Materials, "Materials…")]
+        {
+            if item(ui, text, None, true) {
+                let key = session.filter(|_| kind == Kind::Machines).map(|s| s.part().machine.clone());
+                requests.actions.push(Action::EditData(kind, key));
+            }
+        }
     });
 }
 
@@ -201,7 +211,9 @@ fn verdict(ui: &mut Ui, session: &Session, colors: &Colors, requests: &mut Reque
         Verdict::Pending => ("Proving…".to_owned(), colors.plot.quiet, colors.inset),
         Verdict::NoProgram => ("No program".to_owned(), colors.plot.quiet, colors.inset),
         Verdict::Proved { time_s, blocks } => {
-            (format!("✔ Proved · {} · {blocks} pages", clock(time_s)), colors.good, colors.good_ground)
+            let orac = session.derived().and_then(|d| d.machine.as_ref()).is_none_or(|m| m.dialect == Dialect::Orac);
+            let what = if orac { "pages" } else { "blocks" };
+            (format!("✔ Proved · {} · {blocks} {what}", clock(time_s)), colors.good, colors.good_ground)
         }
         Verdict::Failed { errors: 1 } => ("✗ 1 error".to_owned(), colors.plot.wrong, colors.wrong_ground),
         Verdict::Failed { errors } => (format!("✗ {errors} errors"), colors.plot.wrong, colors.wrong_ground),

@@ -2,12 +2,14 @@
 
 mod actions;
 mod acts;
+pub mod data;
 mod desk;
 mod dialogs;
 mod files;
 mod inspector;
 mod layout;
 mod menus;
+mod operations;
 mod panes;
 pub mod plots;
 mod problems;

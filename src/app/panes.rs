@@ -6,7 +6,7 @@ use super::plots::{self, CutEvent, CutScene, Dimension, End, Palette, Phase, Pro
 use super::sections::{self, cells};
 use super::transfer::{self, TransferPanel};
 use super::widgets::{link, title_row, toggle};
-use super::{inspector, problems, program};
+use super::{inspector, operations, problems, program};
 use crate::diagnostic::Column;
 use crate::proof::BlockRef;
 use crate::session::{Hovered, Session};
@@ -24,19 +24,21 @@ pub(crate) fn show(
 ) -> bool {
     match pane {
         Pane::Sections => sections::show(ui, &mut views.sections, session, requests, titled),
+        Pane::Operations => operations::show(ui, &mut views.operations, session, requests, titled),
         Pane::Profile => profile(ui, titled, session, views, requests),
         Pane::Cut => cut(ui, titled, session, views, requests),
         Pane::Program => program::show(ui, &mut views.program, session, requests, titled),
         Pane::Problems => problems::show(ui, &mut views.problems, session, requests, titled),
         Pane::Solid => solid(ui, titled, session, views),
-        Pane::Inspector => inspector::show(ui, session, requests, titled),
+        Pane::Inspector => inspector::show(ui, &mut views.operations, session, requests, titled),
         Pane::Transfer => transfer::show(ui, transfer, session, requests, titled),
     }
 }
 
 fn profile(ui: &mut Ui, titled: bool, session: &mut Session, views: &mut Views, requests: &mut Requests) -> bool {
     let unit = session.document().unit;
-    let dragged = title_row(ui, titled.then_some("Profile"), unit.symbol(), |ui| {
+    let remark = views.operations.asks().unwrap_or_else(|| unit.symbol().to_owned());
+    let dragged = title_row(ui, titled.then_some("Profile"), &remark, |ui| {
         if link(ui, "fit").clicked() {
             views.profile.canvas.fit();
         }
@@ -44,15 +46,19 @@ fn profile(ui: &mut Ui, titled: bool, session: &mut Session, views: &mut Views, 
         toggle(ui, &mut views.profile.full_section, "full section");
         setup_choice(ui, session);
     });
+    if ui.input(|i| i.key_pressed(egui::Key::Escape)) {
+        views.operations.stop_picking();
+    }
     let Some(setup) = session.setup() else { return dragged };
     let palette = Palette::of(ui.visuals());
+    let lit: Vec<u32> = session.lit().sections.iter().copied().chain(views.operations.picked()).collect();
     let scene = ProfileScene {
         derived: setup,
         part: session.part(),
         unit,
         machine: session.derived().and_then(|d| d.machine.as_deref()),
         selected: session.selection.section,
-        lit: &session.lit().sections,
+        lit: &lit,
         palette: &palette,
     };
     ui.set_opacity(if session.is_current() { 1.0 } else { STALE });
@@ -92,7 +98,11 @@ fn setup_choice(ui: &mut Ui, session: &mut Session) {
 fn profile_event(event: ProfileEvent, session: &mut Session, views: &mut Views, requests: &mut Requests) {
     match event {
         ProfileEvent::HoverSection(id) => requests.hovered = requests.hovered.or(Some(Hovered::Section(id))),
-        ProfileEvent::SelectSection(section) => session.selection.section = Some(section),
+        ProfileEvent::SelectSection(section) => {
+            if !views.operations.take_click(session, section) {
+                session.selection.section = Some(section);
+            }
+        }
         ProfileEvent::Pointer(pointer) => requests.pointer = requests.pointer.or(pointer),
         ProfileEvent::DragNode { node, phase } => {
             let gesture = gesture(session, views, phase);

@@ -170,6 +170,15 @@ impl Generator {
         }
     }
 
+    /// The instructions of the published form-roll cycles; none by other generators.
+    #[must_use]
+    pub fn instructions(&self) -> &[Instruction] {
+        match self {
+            Self::Cycles { instructions } => instructions,
+            Self::Oracap { .. } | Self::Planned { .. } => &[],
+        }
+    }
+
     fn scaled(&self, factor: f64) -> Self {
         match self {
             Self::Oracap { parabolas: ParabolaCut::Arcs { tolerance }, optimize } => {

@@ -59,6 +59,15 @@ impl CutBy {
         self.pairs.iter().filter(move |(id, _)| *id == section).map(|(_, block)| *block)
     }
 
+    /// The row ids of the sections that any of these blocks cuts; `blocks` in the order of the programs.
+    #[must_use]
+    pub fn sections_of_any(&self, blocks: &[BlockRef]) -> Vec<u32> {
+        let mut rows: Vec<u32> =
+            self.pairs.iter().filter(|(_, block)| blocks.binary_search(block).is_ok()).map(|(id, _)| *id).collect();
+        rows.dedup();
+        rows
+    }
+
     /// The row ids of the sections that a block cuts.
     pub fn sections_of(&self, block: BlockRef) -> impl Iterator<Item = u32> + '_ {
         self.pairs.iter().filter(move |(_, b)| *b == block).map(|(id, _)| *id)

@@ -4,6 +4,7 @@
 //! later stages see that nothing changed.
 
 mod cache;
+mod operations;
 mod stage;
 
 use crate::cancel::{Cancel, Cancelled};
@@ -17,6 +18,7 @@ use crate::turning::{self, CutterPath};
 use crate::units::Unit;
 pub use cache::{Cache, StageRuns};
 use cache::{ProgramCache, SetupCache, Tools};
+pub use operations::{OperationTime, Operations};
 pub use stage::Stage;
 use std::collections::BTreeMap;
 use std::sync::Arc;

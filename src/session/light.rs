@@ -1,7 +1,8 @@
 //! What lights up together: the row under the pointer with the blocks that cut it, or a block with its rows.
 
+use crate::document::{Content, Generator, TurnedPart};
 use crate::proof::{BlockRef, CutBy};
-use crate::regen::{self, Derived};
+use crate::regen::{self, Derived, Operations, SetupDerived};
 
 /// What the pointer is on, in whatever panel.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -10,6 +11,8 @@ pub enum Hovered {
     Section(u32),
     /// A block of a program of the clamping shown, or its path.
     Block(BlockRef),
+    /// An operation of the clamping shown, by index in its path.
+    Operation(usize),
 }
 
 /// What is lit: sections by row id, and blocks of the clamping shown.
@@ -22,12 +25,53 @@ pub struct Lit {
 }
 
 impl Lit {
-    fn of(hovered: Hovered, cut_by: &CutBy) -> Self {
+    fn of(hovered: Hovered, cut_by: &CutBy, derived: Option<&Derived>, setup: usize) -> Self {
         match hovered {
             Hovered::Section(id) => Self { sections: vec![id], blocks: cut_by.blocks_of(id).collect() },
             Hovered::Block(block) => Self { sections: cut_by.sections_of(block).collect(), blocks: vec![block] },
+            Hovered::Operation(index) => {
+                let shown = derived.and_then(|d| Some((d, d.setups.get(setup)?)));
+                shown.map(|(d, s)| Self::of_operation(index, cut_by, d, s)).unwrap_or_default()
+            }
         }
     }
+
+    fn of_operation(index: usize, cut_by: &CutBy, derived: &Derived, setup: &SetupDerived) -> Self {
+        let Content::TurnedPart(part) = &derived.document.content;
+        let operations = Operations::of(setup);
+        let blocks = operations.blocks(index);
+        let mut sections = instructed_rows(part, index).unwrap_or_default();
+        if sections.is_empty() {
+            sections = cut_by.sections_of_any(&blocks);
+        }
+        if sections.is_empty() {
+            sections = rows_within(setup, operations.reach(index));
+        }
+        Self { sections, blocks }
+    }
+}
+
+/// The rows between which an instruction works, if the operations are instructed.
+fn instructed_rows(part: &TurnedPart, index: usize) -> Option<Vec<u32>> {
+    let Generator::Cycles { instructions } = &part.generator else { return None };
+    let instruction = instructions.get(index)?;
+    let row = |id| part.sections.iter().position(|s| s.id == id);
+    let (from, to) = (row(instruction.from)?, row(instruction.to)?);
+    Some(part.sections.get(from.min(to)..=from.max(to))?.iter().map(|s| s.id).collect())
+}
+
+/// The rows that lie where an operation cuts, for one that leaves stock on all of them.
+fn rows_within(setup: &SetupDerived, reach: Option<(f64, f64)>) -> Vec<u32> {
+    let Some((from, to)) = reach else { return Vec::new() };
+    let contour = &setup.contour;
+    let mut rows: Vec<u32> = Vec::new();
+    for (segment, &row) in contour.contour.segments.iter().zip(&contour.sections) {
+        let middle = f64::midpoint(segment.start().z, segment.end().z);
+        if (from..=to).contains(&middle) && !rows.contains(&row) {
+            rows.push(row);
+        }
+    }
+    rows
 }
 
 /// What is lit, and which blocks cut which section of one clamping once somebody asked.
@@ -58,7 +102,7 @@ impl Light {
         }
         self.hovered = hovered;
         let lit = match hovered {
-            Some(hovered) => Lit::of(hovered, self.cut_by(derived, setup)),
+            Some(hovered) => Lit::of(hovered, self.cut_by(derived, setup), derived, setup),
             None => Lit::default(),
         };
         let changed = lit != self.lit;

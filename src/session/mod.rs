@@ -6,7 +6,7 @@ mod light;
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::document::{Content, Document, TurnedPart};
 use crate::proof::{Finding, FindingKind, ProgramText, ProofReport};
-use crate::regen::{Derived, SetupDerived};
+use crate::regen::{Derived, Operations, SetupDerived};
 use crate::worker::{Outcome, Regenerate, Worker};
 pub use history::{GestureId, History};
 use light::Light;
@@ -26,6 +26,8 @@ pub struct Selection {
     pub program: usize,
     /// Block of that program, from 1.
     pub block: Option<usize>,
+    /// Operation of the clamping shown, by index in its path.
+    pub operation: Option<usize>,
 }
 
 /// Where the document stands against its file.
@@ -132,6 +134,14 @@ impl Session {
             light: Light::default(),
             selection: Selection::default(),
         }
+    }
+
+    /// Regenerates with another thread from now on, as when machines, tools or materials have changed; see [`Self::new`].
+    pub fn work_anew(&mut self, make: impl Fn() -> Regenerate + Send + 'static, notify: impl Fn() + Send + 'static) {
+        self.worker = Worker::start(make, notify);
+        // Another one of equal content: what followed from the old data is out of date.
+        self.document = Arc::new((*self.document).clone());
+        self.worker.post(Arc::clone(&self.document));
     }
 
     /// The document as it is now.
@@ -279,6 +289,9 @@ impl Session {
         self.selection.setup = self.selection.setup.min(derived.setups.len().saturating_sub(1));
         let programs = derived.setups.get(self.selection.setup).map_or(0, |s| s.programs.len());
         self.selection.program = self.selection.program.min(programs.saturating_sub(1));
+        let made = derived.setups.get(self.selection.setup).map_or(0, |s| s.path.operations.len());
+        let operations = made.max(self.part().generator.instructions().len());
+        self.selection.operation = self.selection.operation.filter(|index| *index < operations);
     }
 
     /// Everything that followed from the newest document that was regenerated.
@@ -299,8 +312,10 @@ impl Session {
         self.setup()?.programs.get(self.selection.program)
     }
 
-    /// Lights up what belongs to `hovered`: the row or block under the pointer. True if something else is lit now.
+    /// Lights up what belongs to `hovered`: what is under the pointer, or else to the selected operation. True if something
+    /// else is lit now.
     pub fn hover(&mut self, hovered: Option<Hovered>) -> bool {
+        let hovered = hovered.or(self.selection.operation.map(Hovered::Operation));
         self.light.turn_to(hovered, self.derived.as_deref(), self.selection.setup)
     }
 
@@ -308,6 +323,17 @@ impl Session {
     #[must_use]
     pub const fn lit(&self) -> &Lit {
         self.light.lit()
+    }
+
+    /// Selects an operation of the clamping shown and its first block, in place of a row of the table.
+    pub fn select_operation(&mut self, index: usize) {
+        self.selection.operation = Some(index);
+        self.selection.section = None;
+        let first = self.setup().and_then(|setup| Operations::of(setup).blocks(index).first().copied());
+        if let Some(first) = first {
+            self.selection.program = first.program;
+            self.selection.block = Some(first.block);
+        }
     }
 
     /// Selects a block of a program by name, in whatever clamping it is.

@@ -4,7 +4,7 @@ use crate::app::theme::{self, Colors};
 use egui::{Grid, RichText, Ui};
 
 /// Keys and what they do, by place.
-const KEYS: [(&str, &[(&str, &str)]); 4] = [
+const KEYS: [(&str, &[(&str, &str)]); 5] = [
     (
         "Everywhere",
         &[
@@ -27,6 +27,15 @@ const KEYS: [(&str, &[(&str, &str)]); 4] = [
             ("Alt+↑ / Alt+↓", "move rows"),
             ("Ctrl+Delete", "delete rows"),
             ("Ctrl+C / Ctrl+V", "copy / paste rows or cells"),
+        ],
+    ),
+    (
+        "Operations",
+        &[
+            ("↑ / ↓", "the one before / after"),
+            ("Insert, Ctrl+D", "add / duplicate an instruction"),
+            ("Alt+↑ / Alt+↓", "move it"),
+            ("Ctrl+Delete", "take it out"),
         ],
     ),
     (

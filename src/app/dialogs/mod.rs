@@ -5,6 +5,7 @@ mod help;
 mod unsaved;
 
 use super::actions::Action;
+use super::data::DataEditor;
 use egui::{Context, Id, Modal, Ui};
 pub(crate) use file::{FileDialog, Purpose};
 pub(crate) use unsaved::UnsavedQuestion;
@@ -15,6 +16,8 @@ pub(crate) enum Dialog {
     File(FileDialog),
     /// What becomes of unsaved work?
     Unsaved(UnsavedQuestion),
+    /// Machines, tools and materials.
+    Data(Box<DataEditor>),
     /// The list of shortcuts.
     Shortcuts,
 }
@@ -26,6 +29,7 @@ pub(crate) fn show(ctx: &Context, dialog: &mut Option<Dialog>, actions: &mut Vec
     let response = modal.show(ctx, |ui: &mut Ui| match open {
         Dialog::File(file) => file.show(ui, actions),
         Dialog::Unsaved(question) => question.show(ui, actions),
+        Dialog::Data(editor) => editor.show(ui, actions),
         Dialog::Shortcuts => help::show(ui),
     });
     if response.inner || response.should_close() {

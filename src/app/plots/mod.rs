@@ -15,6 +15,7 @@ mod solid;
 mod thumbnail;
 mod time_bar;
 mod tip;
+mod tool_picture;
 
 pub use canvas::CanvasView;
 pub use coordinates::{Coordinates, fixed};
@@ -23,4 +24,5 @@ pub use palette::{LeftoverClass, Palette};
 pub use profile::{Dimension, End, NodeMove, Phase, ProfileEvent, ProfileScene, ProfileView, SectionEnd, profile_plot};
 pub use solid::{SolidScene, SolidView, solid_view};
 pub use thumbnail::thumbnail;
-pub use time_bar::{TimeShare, time_bar, time_shares};
+pub use time_bar::{TimeShare, time_bar};
+pub use tool_picture::tool_picture;

@@ -1,6 +1,6 @@
 //! Colours of the plots by role, for the light and the dark theme.
 
-use crate::turning::OperationKind;
+use crate::turning::{Operation, OperationKind};
 use egui::Color32;
 
 /// What every colour of a plot stands for. Operations and states use the Okabe-Ito set, which colour-blind people can
@@ -130,6 +130,19 @@ impl Palette {
         rgb(if self.dark { dark } else { light })
     }
 
+    /// Colour of every operation in order: that of its kind, or one after the other where two of a kind do something.
+    #[must_use]
+    pub fn operations(&self, operations: &[Operation]) -> Vec<Color32> {
+        let busy = || operations.iter().filter(|o| !o.moves.is_empty());
+        let repeated = busy().any(|o| busy().filter(|other| other.kind == o.kind).count() > 1);
+        if !repeated {
+            return operations.iter().map(|o| self.operation(Some(o.kind))).collect();
+        }
+        let mut turn = SERIES.iter().cycle();
+        let mut next = || turn.next().map_or(self.text, |&kind| self.operation(Some(kind)));
+        operations.iter().map(|o| if o.moves.is_empty() { self.quiet } else { next() }).collect()
+    }
+
     /// Colour of material left on the part, by how many times the tolerance it is thick: yellow, orange, brown.
     #[must_use]
     pub const fn leftover(&self, class: LeftoverClass) -> Color32 {
@@ -141,6 +154,16 @@ impl Palette {
         }
     }
 }
+
+/// Kinds whose colours all differ, for operations that are told apart by their place in the order.
+const SERIES: [OperationKind; 6] = [
+    OperationKind::RoughRight,
+    OperationKind::RoughLeft,
+    OperationKind::FinishRight,
+    OperationKind::FinishLeft,
+    OperationKind::Groove,
+    OperationKind::Face,
+];
 
 /// How much material is left, in classes of the tolerance.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -175,6 +198,26 @@ impl LeftoverClass {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn operations_of_one_kind_differ_in_colour() {
+        let operation = |kind| Operation {
+            kind,
+            name: String::new(),
+            tool: 1,
+            change: None,
+            moves: vec![crate::turning::CutMove::Dwell { seconds: 1.0 }],
+            recipes: Vec::new(),
+        };
+        let palette = Palette::LIGHT;
+        let kinds = [OperationKind::RoughRight, OperationKind::FinishRight];
+        assert_eq!(palette.operations(&kinds.map(operation)), kinds.map(|kind| palette.operation(Some(kind))));
+        let same = palette.operations(&[OperationKind::FinishRight; 6].map(operation));
+        for (index, color) in same.iter().enumerate() {
+            assert!(!same[..index].contains(color), "{same:?}");
+            assert_ne!(*color, palette.wrong);
+        }
+    }
 
     #[test]
     fn leftover_classes_follow_the_tolerance() {

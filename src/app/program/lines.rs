@@ -1,8 +1,10 @@
 //! The lines of a program with their colours, the current block and the words found.
 
 use crate::app::theme::{self, Colors};
+use crate::machine::Dialect;
 use crate::post::orac::{self, Instruction, PAGE_START};
 use crate::proof::ProgramText;
+use crate::proof::reader::words;
 use crate::transfer::log::visible;
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Align2, Color32, FontId, Rect, Response, Sense, Ui, vec2};
@@ -15,7 +17,7 @@ const NUMBERS: f32 = 44.0;
 /// The lines of the program that is shown; made anew when the text changes.
 #[derive(Default)]
 pub(super) struct Lines {
-    made_for: Option<ProgramText>,
+    made_for: Option<(ProgramText, Dialect)>,
     instructions: Vec<Instruction>,
     all_readable: bool,
     /// Every line of the text with the block that it belongs to.
@@ -44,11 +46,33 @@ pub(super) struct Pointed {
 }
 
 impl Lines {
-    /// Makes the lines of `program` if they are not made yet.
-    pub(super) fn follow(&mut self, program: &ProgramText) {
-        if self.made_for.as_ref() == Some(program) {
+    /// Makes the lines of `program` in the language of its control if they are not made yet.
+    pub(super) fn follow(&mut self, program: &ProgramText, dialect: Dialect) {
+        if self.made_for.as_ref().is_some_and(|(made, of)| made == program && *of == dialect) {
             return;
         }
+        self.made_for = Some((program.clone(), dialect));
+        match dialect {
+            Dialect::Orac => self.follow_pages(program),
+            Dialect::Fanuc | Dialect::Linuxcnc => self.follow_words(program, dialect),
+        }
+    }
+
+    /// A line of words is a block, or none if it is empty.
+    fn follow_words(&mut self, program: &ProgramText, dialect: Dialect) {
+        self.instructions.clear();
+        self.all_readable = false;
+        let tape = words::read(&program.text, dialect);
+        let mut blocks = tape.blocks.iter().zip(1..).peekable();
+        self.text.clear();
+        for (line, written) in (1_usize..).zip(program.text.lines()) {
+            let block = blocks.peek().filter(|(block, _)| block.line == line).map_or(0, |(_, number)| *number);
+            while blocks.next_if(|(block, _)| block.line <= line).is_some() {}
+            self.text.push((written.to_owned(), block));
+        }
+    }
+
+    fn follow_pages(&mut self, program: &ProgramText) {
         let (instructions, complaints) = orac::compress(&program.text, &program.name);
         self.instructions = instructions;
         self.all_readable = complaints.is_empty();
@@ -58,7 +82,11 @@ impl Lines {
             block += line.chars().filter(|c| *c == PAGE_START).count();
             self.text.push((line.bytes().map(visible).collect(), block));
         }
-        self.made_for = Some(program.clone());
+    }
+
+    /// True if the text is one of words, not of pages.
+    pub(super) fn is_of_words(&self) -> bool {
+        self.made_for.as_ref().is_some_and(|(_, dialect)| *dialect != Dialect::Orac)
     }
 
     /// True if every page of the text is an instruction.
@@ -68,7 +96,7 @@ impl Lines {
 
     /// Blocks of the program.
     pub(super) fn blocks(&self) -> usize {
-        self.text.last().map_or(0, |(_, block)| *block)
+        self.text.iter().map(|(_, block)| *block).max().unwrap_or(0)
     }
 
     /// The first block after `after` with `words` in it, from the front again at the end.
@@ -115,6 +143,7 @@ impl Lines {
         let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::click());
         let job = match (shown.exact, self.instructions.get(index), self.text.get(index)) {
             (false, Some(instruction), _) => instruction_job(instruction, colors),
+            (true, _, Some((line, _))) if self.is_of_words() => words_job(line, colors),
             (true, _, Some((line, _))) => text_job(line, colors),
             _ => LayoutJob::default(),
         };
@@ -208,6 +237,29 @@ fn text_job(line: &str, colors: &Colors) -> LayoutJob {
     job
 }
 
+/// A line of words: every word in the colour of its letter, comments quiet.
+fn words_job(line: &str, colors: &Colors) -> LayoutJob {
+    let mut job = LayoutJob::default();
+    let (mut depth, mut color) = (0_u32, colors.plot.text);
+    let mut letters = [0_u8; 4];
+    for c in line.chars() {
+        match c {
+            '(' => depth += 1,
+            ')' => depth = depth.saturating_sub(1),
+            'G' | 'M' => color = colors.plot.accent,
+            'F' => color = colors.good,
+            'T' => color = colors.word_tool,
+            'S' => color = colors.word_speed,
+            'N' | 'O' | '%' => color = colors.plot.construction,
+            c if c.is_ascii_alphabetic() => color = colors.plot.text,
+            _ => {}
+        }
+        let quiet = depth > 0 || c == ')';
+        append(&mut job, c.encode_utf8(&mut letters), if quiet { colors.plot.quiet } else { color });
+    }
+    job
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -217,7 +269,7 @@ mod tests {
             [Instruction::Inc, Instruction::Ptp { x: -800, z: 0, feed: 80, tool: 1, rpm: 1262 }, Instruction::End];
         let text = orac::pages_text(&instructions);
         let mut lines = Lines::default();
-        lines.follow(&ProgramText { name: "QUEEN1".into(), text, edited: false });
+        lines.follow(&ProgramText { name: "QUEEN1".into(), text, edited: false }, Dialect::Orac);
         lines
     }
 
@@ -229,6 +281,17 @@ mod tests {
         assert_eq!(lines.line_of(2, false), Some(1));
         assert_eq!(lines.line_of(2, true), Some(1));
         assert!(lines.text[1].0.starts_with('␂'));
+    }
+
+    #[test]
+    fn lines_of_words_are_blocks() {
+        let text = "%\nO0001\n\n(A COMMENT)\nN10 G0 X10.\nN20 M30\n%\n".to_owned();
+        let mut lines = Lines::default();
+        lines.follow(&ProgramText { name: "A".into(), text, edited: false }, Dialect::Fanuc);
+        let blocks: Vec<usize> = lines.text.iter().map(|(_, block)| *block).collect();
+        assert_eq!(blocks, [1, 2, 0, 3, 4, 5, 6]);
+        assert_eq!((lines.blocks(), lines.line_of(5, true), lines.find("m30", 0)), (6, Some(5), Some(5)));
+        assert!(!lines.are_all_readable());
     }
 
     #[test]

@@ -8,6 +8,7 @@ use super::actions::Action;
 use super::desk::Requests;
 use super::theme::{self, Colors};
 use super::widgets::{link, title_row, toggle};
+use crate::machine::Dialect;
 use crate::proof::{BlockRef, ProgramText};
 use crate::session::{GestureId, Hovered, Session};
 use egui::{RichText, Ui};
@@ -47,7 +48,8 @@ pub(crate) fn show(
 ) -> bool {
     let program = session.program().cloned();
     if let Some(program) = &program {
-        view.lines.follow(program);
+        let machine = session.derived().and_then(|d| d.machine.as_ref());
+        view.lines.follow(program, machine.map_or(Dialect::Orac, |m| m.dialect));
     }
     let dragged = title_row(ui, titled.then_some("Program"), "", |ui| {
         if let Some(program) = &program {
@@ -111,7 +113,9 @@ fn tools(ui: &mut Ui, view: &mut ProgramView, session: &mut Session, program: &P
     }
     if view.mode != Mode::Edit {
         let mut exact = view.mode == Mode::Text;
-        if toggle(ui, &mut exact, "characters").on_hover_text("Show every character as it is sent").clicked() {
+        if !view.lines.is_of_words()
+            && toggle(ui, &mut exact, "characters").on_hover_text("Show every character as it is sent").clicked()
+        {
             view.mode = if exact { Mode::Text } else { Mode::Instructions };
         }
         if view.lines.are_all_readable()
@@ -132,7 +136,8 @@ fn tools(ui: &mut Ui, view: &mut ProgramView, session: &mut Session, program: &P
     let limit = session.derived().and_then(|d| d.machine.as_ref().map(|m| m.limits.blocks_per_program));
     let of = limit.map(|l| format!(" of {l}")).unwrap_or_default();
     let colors = Colors::of(ui.visuals());
-    ui.label(theme::quiet(format!("{blocks} pages{of}"), colors));
+    let what = if view.lines.is_of_words() { "blocks" } else { "pages" };
+    ui.label(theme::quiet(format!("{blocks} {what}{of}"), colors));
     names(ui, session, &program.name);
 }
 

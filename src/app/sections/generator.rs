@@ -54,7 +54,12 @@ pub(super) fn choices(grid: Grid, ui: &mut Ui, session: &mut Session, generator:
         Generator::Cycles { ref instructions } => {
             let count = instructions.len();
             let are = if count == 1 { "instruction says" } else { "instructions say" };
-            remark(ui, &format!("{count} {are} which sections are cut, with which tool and how."));
+            remark(
+                ui,
+                &format!(
+                    "{count} {are} which sections are cut, with which tool and how. They are edited in Operations."
+                ),
+            );
         }
         Generator::Planned { separate_programs } => planned(grid, ui, session, separate_programs),
     }

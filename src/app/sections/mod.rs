@@ -1,10 +1,9 @@
-//! The panel with the section table, the stock and the operations.
+//! The panel with the section table and the stock.
 
 pub(crate) mod cells;
 mod generator;
 mod icon;
 mod keys;
-mod operations;
 mod rows;
 mod stock;
 mod table;
@@ -18,8 +17,8 @@ use egui::Ui;
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
 
-/// Height kept for stock and operations under the table, points.
-const BELOW: f32 = 330.0;
+/// Height kept for the stock under the table, points.
+const BELOW: f32 = 190.0;
 /// Least height of the table, points.
 const LEAST: f32 = 140.0;
 
@@ -102,8 +101,6 @@ pub(crate) fn show(
     egui::ScrollArea::vertical().id_salt("below-table").auto_shrink([false, false]).show(ui, |ui| {
         ui.add_space(10.0);
         stock::show(ui, session, requests);
-        ui.add_space(10.0);
-        operations::show(ui, session);
     });
     dragged
 }

@@ -36,7 +36,7 @@ use tool::CycleTool;
 
 /// The cutter path of the instructions, in order, each with a tool of its own from its change position and back to it.
 ///
-/// An instruction that cannot be carried out is left out with an error; the others are carried out. The elements are the
+/// An instruction that cannot be carried out becomes an operation without moves, with an error; the others are carried out. The elements are the
 /// rows of the section table, the blank is the bar of the set-up.
 #[must_use]
 pub fn generate(task: &Task<'_>, instructions: &[Instruction]) -> (CutterPath, Vec<Diagnostic>) {
@@ -63,10 +63,20 @@ pub fn generate(task: &Task<'_>, instructions: &[Instruction]) -> (CutterPath, V
         diagnostics.extend(warnings(task, instruction, &name, &at));
         match operation(task, instruction, &mut blank, path.program_zero_z, path.datum) {
             Ok(operation) => path.operations.push(operation),
-            Err(fault) => diagnostics.push(fault.diagnostic(&name, at)),
+            Err(fault) => {
+                diagnostics.push(fault.diagnostic(&name, at));
+                path.operations.push(left_out(instruction));
+            }
         }
     }
     (path, diagnostics)
+}
+
+/// Stands for an instruction that cannot be carried out, so that every operation has the place of its instruction.
+fn left_out(instruction: &Instruction) -> Operation {
+    let kind = kind(instruction.cycle, Direction::TowardsClampedEnd);
+    let (name, tool) = (kind.name().to_owned(), instruction.tool);
+    Operation { kind, name, tool, change: None, moves: Vec::new(), recipes: Vec::new() }
 }
 
 /// The row where an instruction begins, if there is one.

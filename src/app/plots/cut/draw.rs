@@ -45,7 +45,9 @@ pub(super) fn picture(painter: &Painter, frame: &Frame<'_>, view: &mut CutView) 
     }
     centre_line(painter, screen, scene.palette);
     lit_sections(painter, frame);
-    let shown = Shown { now: frame.now.map(|now| now.index), lit: scene.lit_blocks, selected: scene.selected };
+    let colors = scene.palette.operations(&derived.path.operations);
+    let now = frame.now.map(|now| now.index);
+    let shown = Shown { now, lit: scene.lit_blocks, selected: scene.selected, colors: &colors };
     view.paths.draw(painter, scene.palette, &shown);
     tool_now(painter, frame, view);
     findings(painter, frame);

@@ -24,7 +24,6 @@ use crate::units::Unit;
 use chart::Chart;
 use egui::{Ui, Vec2};
 use paths::Paths;
-pub(super) use paths::operation_of;
 pub use playback::clock;
 use playback::{Position, position_at, total_s};
 use stock::StockCache;
@@ -114,9 +113,12 @@ impl CutView {
         format!("{which}block {}{of} · tool {}", m.block, m.tool)
     }
 
-    /// Puts the slider to the start of the first run of `block`; stays where it is if the block moves nothing.
+    /// Puts the slider to the start of the first run of `block`; of one that moves nothing, to the next block that does.
     pub fn go_to(&mut self, derived: &SetupDerived, block: BlockRef) {
-        if let Some(m) = derived.proof.moves.iter().find(|m| BlockRef::of(m) == block) {
+        let moves = &derived.proof.moves;
+        let own = moves.iter().find(|m| BlockRef::of(m) == block);
+        let later = || moves.iter().find(|m| m.program == block.program && m.block > block.block);
+        if let Some(m) = own.or_else(later) {
             self.time_s = m.starts_s;
             self.playing = false;
         }

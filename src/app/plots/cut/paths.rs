@@ -4,9 +4,8 @@ use crate::app::plots::canvas::Screen;
 use crate::app::plots::lines::{clipped, dashed, distance_to_polyline, faded, thinned};
 use crate::app::plots::palette::Palette;
 use crate::proof::{BlockRef, Motion, Move, ProofReport};
-use crate::regen::SetupDerived;
-use crate::turning::OperationKind;
-use egui::{Painter, Pos2, Rect, Shape, Stroke};
+use crate::regen::{Operations, SetupDerived};
+use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke};
 use std::sync::Arc;
 
 /// Dash and gap of a rapid move, points.
@@ -15,6 +14,12 @@ const RAPID: &[f32] = &[3.0, 3.0];
 const TO_COME: f32 = 0.32;
 /// Paths smaller than this are left out, points.
 const DOT: f32 = 0.4;
+/// Width of a path that is lit, points.
+const LIT: f32 = 2.6;
+/// The same where a whole operation is lit, so that its cuts can be told apart.
+const LIT_MANY: f32 = 1.5;
+/// Blocks up to which [`LIT`] is the width.
+const FEW: usize = 12;
 /// The pointer is on a path within this distance, points.
 const NEAR: f32 = 6.0;
 
@@ -30,10 +35,12 @@ pub(super) struct Paths {
 pub(super) struct Shown<'a> {
     /// Index of the move at the slider.
     pub(super) now: Option<usize>,
-    /// Blocks that belong to what the pointer is on.
+    /// Blocks that belong to what the pointer is on, in order.
     pub(super) lit: &'a [BlockRef],
     /// Block that is selected.
     pub(super) selected: Option<BlockRef>,
+    /// Colour of every operation.
+    pub(super) colors: &'a [Color32],
 }
 
 /// The moves of one run through one block that look alike.
@@ -43,7 +50,8 @@ struct Run {
     /// Index of the first move.
     first: usize,
     rapid: bool,
-    operation: Option<OperationKind>,
+    /// Index in the path.
+    operation: Option<usize>,
     /// On the screen, thinned.
     points: Vec<Pos2>,
     bounds: Rect,
@@ -67,10 +75,11 @@ impl Paths {
         // Rapid moves lie under cutting moves: many go back along the line that was cut.
         for run in seen().filter(|run| run.rapid).chain(seen().filter(|run| !run.rapid)) {
             let done = shown.now.is_some_and(|now| run.first <= now);
-            run.draw(painter, run.stroke(palette, done));
+            run.draw(painter, run.stroke(palette, shown.colors, done));
         }
-        for run in seen().filter(|run| shown.lit.contains(&run.block)) {
-            run.draw(painter, Stroke::new(if run.rapid { 0.8 } else { 2.6 }, palette.accent));
+        let width = if shown.lit.len() > FEW { LIT_MANY } else { LIT };
+        for run in seen().filter(|run| shown.lit.binary_search(&run.block).is_ok()) {
+            run.draw(painter, Stroke::new(if run.rapid { 0.8 } else { width }, palette.accent));
         }
         for run in seen().filter(|run| Some(run.block) == shown.selected) {
             painter.add(Shape::line(run.points.clone(), Stroke::new(5.0, faded(palette.accent, 0.25))));
@@ -89,9 +98,10 @@ impl Paths {
 }
 
 impl Run {
-    fn stroke(&self, palette: &Palette, done: bool) -> Stroke {
+    fn stroke(&self, palette: &Palette, colors: &[Color32], done: bool) -> Stroke {
         let strength = if done { 1.0 } else { TO_COME };
-        let color = palette.operation(self.operation);
+        let own = self.operation.and_then(|index| colors.get(index));
+        let color = own.copied().unwrap_or_else(|| palette.operation(None));
         match (self.rapid, done) {
             (true, _) => Stroke::new(0.8, faded(palette.quiet, strength * 0.9)),
             (false, true) => Stroke::new(1.4, color),
@@ -119,20 +129,21 @@ fn runs(derived: &SetupDerived, screen: &Screen) -> Vec<Run> {
     };
     let mut first = 0;
     let mut runs = Vec::new();
+    let operations = Operations::of(derived);
     for chunk in moves.chunk_by(alike) {
-        runs.extend(run(derived, screen, first, chunk));
+        runs.extend(run(&operations, screen, first, chunk));
         first += chunk.len();
     }
     runs
 }
 
-fn run(derived: &SetupDerived, screen: &Screen, first: usize, chunk: &[Move]) -> Option<Run> {
+fn run(operations: &Operations<'_>, screen: &Screen, first: usize, chunk: &[Move]) -> Option<Run> {
     let m = chunk.first()?;
     let start = std::iter::once(m.path.start());
     let all = start.chain(chunk.iter().flat_map(|m| m.path.polyline_points(screen.tolerance())));
     let points = thinned(all.map(|p| screen.pos(p)));
     let bounds = Rect::from_points(&points).expand(1.0);
-    let operation = operation_of(derived, m);
+    let operation = operations.of_move(m);
     // Runs that are no more than a dot on the screen are not seen.
     let seen = bounds.width().max(bounds.height()) > 2.0 + DOT;
     seen.then(|| Run { block: BlockRef::of(m), first, rapid: is_rapid(m), operation, points, bounds })
@@ -140,14 +151,4 @@ fn run(derived: &SetupDerived, screen: &Screen, first: usize, chunk: &[Move]) ->
 
 fn is_rapid(m: &Move) -> bool {
     m.motion == Motion::Rapid
-}
-
-/// The operation that a move belongs to; of a program edited by hand, the one that its tool does.
-pub(in crate::app::plots) fn operation_of(derived: &SetupDerived, m: &Move) -> Option<OperationKind> {
-    let text = derived.programs.get(m.program)?;
-    let generated = derived.post.programs.iter().find(|p| p.name == text.name).filter(|_| !text.edited);
-    match generated {
-        Some(program) => program.blocks.get(m.block.checked_sub(1)?)?.operation,
-        None => derived.path.operations.iter().find(|o| o.tool == m.tool).map(|o| o.kind),
-    }
 }
