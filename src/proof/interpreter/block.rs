@@ -57,6 +57,7 @@ impl<'t> Taken<'t> {
 
 /// Meanings of the M words of a block.
 #[derive(Debug, Default)]
+#[allow(clippy::struct_excessive_bools, reason = "each stands for an M word of its own")]
 pub(super) struct Ms {
     /// The tool is changed.
     pub change: bool,
@@ -254,14 +255,12 @@ impl Run<'_, '_> {
             return number.plain();
         }
         let step = number.whole().and_then(|code| table.iter().find(|s| s.code == code));
-        match step {
-            Some(step) => step.rpm,
-            None => {
-                let codes = table.iter().map(|s| s.code.to_string()).collect::<Vec<_>>().join(", ");
-                self.unreadable(format!("S{} is no step of the spindle; its steps are {codes}.", number.plain()));
-                0.0
-            }
+        if let Some(step) = step {
+            return step.rpm;
         }
+        let codes = table.iter().map(|s| s.code.to_string()).collect::<Vec<_>>().join(", ");
+        self.unreadable(format!("S{} is no step of the spindle; its steps are {codes}.", number.plain()));
+        0.0
     }
 
     /// What the block does once its modal words are in force.

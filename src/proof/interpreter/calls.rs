@@ -91,14 +91,12 @@ impl Run<'_, '_> {
         // Today's controls have repeats in front of four digits (P00031000), older ones in L.
         let (repeats, number) = if p > 9999 { (p / 10_000, p % 10_000) } else { (1, p) };
         let repeats = words.take('L').and_then(|l| l.whole()).unwrap_or(repeats);
-        match self.calls.programs.get(&number) {
-            Some(&first) => self.enter(index, first, repeats, &format!("O{number}"), FANUC_DEPTH),
-            None => {
-                let message = format!("Subroutine O{number} is called, but the text does not contain it.");
-                self.control_error("call", f64::from(number), 0.0, message);
-                None
-            }
+        if let Some(&first) = self.calls.programs.get(&number) {
+            return self.enter(index, first, repeats, &format!("O{number}"), FANUC_DEPTH);
         }
+        let message = format!("Subroutine O{number} is called, but the text does not contain it.");
+        self.control_error("call", f64::from(number), 0.0, message);
+        None
     }
 
     fn enter(&mut self, index: usize, first: usize, repeats: u32, name: &str, most: usize) -> Option<Next> {
@@ -163,14 +161,14 @@ impl Run<'_, '_> {
                 self.calls.subs.get(&name).filter(|sub| sub.0 == index).map_or(on, |sub| Next::Block(sub.1 + 1))
             }
             Some(Flow::EndSub(_) | Flow::Return(_)) if !self.calls.open.is_empty() => self.return_to(None),
-            Some(Flow::Call(name)) => match self.calls.subs.get(&name).copied() {
-                Some((first, _)) => self.enter(index, first, 1, &format!("O{name}"), LINUXCNC_DEPTH).unwrap_or(on),
-                None => {
-                    let message = format!("Subroutine O{name} is called, but the text does not contain it.");
-                    self.control_error("call", 0.0, 1.0, message);
-                    on
+            Some(Flow::Call(name)) => {
+                if let Some((first, _)) = self.calls.subs.get(&name).copied() {
+                    return self.enter(index, first, 1, &format!("O{name}"), LINUXCNC_DEPTH).unwrap_or(on);
                 }
-            },
+                let message = format!("Subroutine O{name} is called, but the text does not contain it.");
+                self.control_error("call", 0.0, 1.0, message);
+                on
+            }
             Some(Flow::EndSub(name) | Flow::Return(name)) => {
                 self.control_error("return", 0.0, 1.0, format!("O{name} ends here, but it was not called."));
                 on

@@ -7,6 +7,7 @@ use crate::units::{MM_PER_INCH, Unit};
 
 /// What the words of a program set until others change it.
 #[derive(Debug, Clone)]
+#[allow(clippy::struct_excessive_bools, reason = "each is a modal state of its own")]
 pub(super) struct State {
     /// The G word that moves without being said again.
     pub motion: Motion,

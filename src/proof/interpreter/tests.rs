@@ -44,7 +44,7 @@ impl Path {
                         }
                     }
                     _ if *rapid => 'r',
-                    _ => 'l',
+                    crate::geometry::Segment::Line { .. } => 'l',
                 };
                 Some((kind, round(path.end().z), round(path.end().r)))
             }

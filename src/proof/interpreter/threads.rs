@@ -111,7 +111,8 @@ impl Run<'_, '_> {
         }
         let one_line = words.has('K') && words.has('D');
         if !words.moves() && !one_line {
-            return self.thread_cycle_settings(words);
+            self.thread_cycle_settings(words);
+            return Ok(());
         }
         let from = self.here();
         let to = self.target(words);
@@ -142,14 +143,13 @@ impl Run<'_, '_> {
     }
 
     /// The first line of the two-line form: `G76 P(mmrraa) Q(thinnest) R(last depth)`.
-    fn thread_cycle_settings(&mut self, words: &mut Taken<'_>) -> Result<(), Cancelled> {
+    fn thread_cycle_settings(&mut self, words: &mut Taken<'_>) {
         if let Some(p) = words.take('P').and_then(|p| p.whole()) {
             self.state.cycle.finishes = p / 10_000;
             self.state.cycle.angle = f64::from(p % 100);
         }
         self.state.cycle.thinnest = words.take('Q').map_or(0.0, |q| self.increments(q).abs());
         self.state.cycle.finish_depth = words.take('R').map_or(0.0, |r| self.mm(r).abs());
-        Ok(())
     }
 
     /// `G76 P pitch Z end I offset J first depth K height [R degression Q angle H spring passes E taper L which end]`.

@@ -38,7 +38,7 @@ impl Follow<'_> {
         let mut runs: Vec<Run> = Vec::new();
         for full in stock.runs_over(&reached, self.worth) {
             let z0 = (full.z0 - right - OVERLAP_MM).max(self.limit.z0);
-            let z1 = self.from_the_wall(full.z1, (full.z1 - left + OVERLAP_MM).min(self.limit.z1));
+            let z1 = self.begun_at_the_wall(full.z1, (full.z1 - left + OVERLAP_MM).min(self.limit.z1));
             match runs.last_mut() {
                 Some(last) if z0 - last.z1 < JOINED_MM => last.z1 = last.z1.max(z1),
                 _ => runs.push(Run { z0, z1 }),
@@ -50,7 +50,7 @@ impl Follow<'_> {
     }
 
     /// A pass that would begin beyond a wall begins on the wall.
-    fn from_the_wall(&self, cut_to: f64, z1: f64) -> f64 {
+    fn begun_at_the_wall(&self, cut_to: f64, z1: f64) -> f64 {
         let pieces: Vec<_> = self.limit.chain.over(cut_to - SAME_MM, z1).collect();
         let wall = pieces
             .windows(2)
@@ -66,8 +66,10 @@ impl Follow<'_> {
             let start = first.start();
             link::link(path, self.lead_in(first, air), air, ceiling);
             path.line(start);
-            way.iter().for_each(|s| path.along(s));
-            self.lead_out(path, way.last(), air);
+            for segment in &way {
+                path.along(segment);
+            }
+            lead_out(path, way.last(), air);
         }
     }
 
@@ -84,13 +86,13 @@ impl Follow<'_> {
         let low = air.at(start.z).unwrap_or(f64::NEG_INFINITY);
         Point::new(start.z, (low + CLEARANCE_MM).max(start.r))
     }
+}
 
-    /// Leaves the contour the way it ends if air is there.
-    fn lead_out(&self, path: &mut Path<'_>, last: Option<&Segment>, air: &Chain) {
-        let Some(last) = last else { return };
-        let ahead = path.at + last.direction_at(1.0) * CLEARANCE_MM;
-        if ahead.r > path.at.r && link::is_free(path.at, ahead, air) {
-            path.rapid(ahead);
-        }
+/// Leaves the contour the way it ends if air is there.
+fn lead_out(path: &mut Path<'_>, last: Option<&Segment>, air: &Chain) {
+    let Some(last) = last else { return };
+    let ahead = path.at + last.direction_at(1.0) * CLEARANCE_MM;
+    if ahead.r > path.at.r && link::is_free(path.at, ahead, air) {
+        path.rapid(ahead);
     }
 }

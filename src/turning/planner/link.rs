@@ -21,7 +21,9 @@ pub(super) fn link(path: &mut Path<'_>, to: Point, air: &Chain, ceiling: f64) {
     for way in ways(path.at, to, air, ceiling) {
         let corners: Vec<Point> = [path.at].into_iter().chain(way.iter().copied()).collect();
         if corners.windows(2).all(|w| is_free(w[0], w[1], air)) {
-            way.into_iter().for_each(|p| path.rapid(p));
+            for place in way {
+                path.rapid(place);
+            }
             return;
         }
     }

@@ -211,6 +211,8 @@ fn descend(path: &mut Path<'_>, ramp: &[Segment], to: Point) {
         Some(Segment::Line { .. }) | None => {}
         Some(arc) => path.line(arc.start()),
     }
-    ramp.iter().for_each(|s| path.along(s));
+    for segment in ramp {
+        path.along(segment);
+    }
     path.line(to);
 }

@@ -20,6 +20,10 @@ const RUN_IN_PITCHES: f64 = 1.0;
 const LONGEST_LEAD_PITCHES: f64 = 2.0;
 
 /// The moves of one thread by the control's own cycle, and what is to be said about it.
+#[allow(
+    clippy::too_many_arguments,
+    reason = "a thread is cut from the part, the tool, the machine and the path so far"
+)]
 pub(super) fn cut(
     path: &mut Path<'_>,
     thread: &ThreadSpec,

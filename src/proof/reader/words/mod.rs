@@ -63,6 +63,7 @@ pub enum Flow {
 
 impl Tape {
     /// Blocks with words, with their numbers from 1.
+    #[must_use]
     pub fn with_words(&self) -> impl DoubleEndedIterator<Item = (usize, &WordBlock)> {
         self.blocks.iter().enumerate().map(|(index, block)| (index + 1, block)).filter(|(_, block)| !block.is_empty())
     }

@@ -162,13 +162,12 @@ impl Reading {
     /// `O100 sub`, `O<name> call`.
     fn flow(&mut self, text: &str) {
         let text: String = text[1..].trim_start().to_ascii_lowercase();
-        let (name, rest) = match text.strip_prefix('<').and_then(|t| t.split_once('>')) {
-            Some((name, rest)) => (name.to_owned(), rest),
-            None => {
-                let rest = text.trim_start_matches(|c: char| c.is_ascii_digit());
-                (text[..text.len() - rest.len()].to_owned(), rest)
-            }
-        };
+        let named = text.strip_prefix('<').and_then(|t| t.split_once('>'));
+        let (name, rest) = named.unwrap_or_else(|| {
+            let rest = text.trim_start_matches(|c: char| c.is_ascii_digit());
+            text.split_at(text.len() - rest.len())
+        });
+        let name = name.to_owned();
         let rest = rest.trim();
         let flow = match rest {
             _ if name.is_empty() => None,
@@ -180,7 +179,7 @@ impl Reading {
         };
         match flow {
             Some(flow) => {
-                self.tape.blocks.iter_mut().last().into_iter().for_each(|block| block.flow = Some(flow.clone()))
+                self.tape.blocks.iter_mut().last().into_iter().for_each(|block| block.flow = Some(flow.clone()));
             }
             None => self.trouble(format!(
                 "\"O{}\" is not followed: of LinuxCNC's O words sub, endsub, return and call without arguments are.",
