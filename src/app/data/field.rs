@@ -49,13 +49,16 @@ pub(super) const fn plain(path: &'static str, label: &'static str, is: Is) -> Fi
     Field { path, label, unit: "", is }
 }
 
+/// Where a group that may be missing stands, and what it is at first.
+pub(super) type Optional = (&'static str, fn() -> Value);
+
 /// Fields under one heading.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Group {
     /// The heading; empty for fields that need none.
     pub(super) title: &'static str,
-    /// The group as a whole may be missing: where it stands, and what it is at first.
-    pub(super) optional: Option<(&'static str, fn() -> Value)>,
+    /// Set if the group as a whole may be missing.
+    pub(super) optional: Option<Optional>,
     /// Its fields.
     pub(super) fields: &'static [Field],
 }

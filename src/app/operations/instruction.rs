@@ -164,12 +164,12 @@ impl Form<'_> {
         let all = [(false, "none".to_owned()), (true, "along a line".to_owned())];
         let first = self.first_cut_in(session);
         self.choice(ui, session, "Cut-in", &self.now.cut_in.is_some(), &all, |i, with| {
-            i.cut_in = with.then_some(first)
+            i.cut_in = with.then_some(first);
         });
         let Some(line) = self.now.cut_in else { return };
         self.length(ui, session, "Cut-in z", line.z, |i, z| i.cut_in = Some(CutIn { z, ..line }));
         self.length(ui, session, "Cut-in ⌀", line.diameter, |i, diameter| {
-            i.cut_in = Some(CutIn { diameter, ..line })
+            i.cut_in = Some(CutIn { diameter, ..line });
         });
         self.figure(ui, session, "Cut-in angle °", line.angle_deg, |i, angle_deg| {
             i.cut_in = Some(CutIn { angle_deg, ..line });

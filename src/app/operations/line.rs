@@ -27,10 +27,13 @@ pub(super) struct Line {
     pub(super) figures: String,
 }
 
+/// What the lines are made from: document, what follows from it, clamping shown, dark theme.
+type Source = (Arc<Document>, Option<Arc<Derived>>, usize, bool);
+
 /// The lines, made anew only when what they are made from changes.
 #[derive(Debug, Default)]
 pub(super) struct Lines {
-    made_for: Option<(Arc<Document>, Option<Arc<Derived>>, usize, bool)>,
+    made_for: Option<Source>,
     /// One a line of the list.
     pub(super) all: Vec<Line>,
     /// Time that belongs to no operation.

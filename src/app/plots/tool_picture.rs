@@ -21,7 +21,9 @@ pub fn tool_picture(painter: &Painter, rect: Rect, tool: &ToolOutline, palette: 
     let (left, right) = rect.split_left_right_at_fraction(WHOLE);
     if let (Some(insert), Some(holder)) = (sound(tool.insert.bounds()), sound(tool.holder.bounds())) {
         let both = Bounds::around([insert.min, insert.max, holder.min, holder.max]);
-        both.iter().for_each(|&both| view(painter, left, both, tool, palette, false));
+        if let Some(both) = both {
+            view(painter, left, both, tool, palette, false);
+        }
     }
     if let Some(insert) = sound(tool.insert.bounds()) {
         let size = (insert.max.z - insert.min.z).max(insert.max.r - insert.min.r) * AROUND;
