@@ -45,7 +45,7 @@ impl Form {
         let segments = work.target.contour.segments.iter().chain(bore.iter().flat_map(|b| &b.contour.segments));
         let piece = |segment: Segment| {
             let bounds = segment.bounds();
-            (bounds.min.z, bounds.max.z, Piece { bounds, segment })
+            (bounds.min.z, bounds.max.z, Piece { segment, bounds })
         };
         // What lies on the axis is no surface.
         let surface = segments.filter(|segment| segment.bounds().max.r > ON_AXIS_MM);

@@ -10,7 +10,7 @@ const NARROWEST_MM: f64 = 0.01;
 pub(super) struct Strips<T> {
     first: f64,
     width: f64,
-    strips: Vec<Vec<T>>,
+    lists: Vec<Vec<T>>,
 }
 
 impl<T: Copy> Strips<T> {
@@ -20,13 +20,13 @@ impl<T: Copy> Strips<T> {
         let last = items.iter().map(|item| item.1).fold(f64::NEG_INFINITY, f64::max);
         let count = items.len().clamp(1, MOST);
         let width = ((last - first) / count as f64).max(NARROWEST_MM);
-        let mut strips = Self { first, width, strips: Vec::new() };
+        let mut strips = Self { first, width, lists: Vec::new() };
         if !items.is_empty() {
-            strips.strips.resize_with(strips.index(last) + 1, Vec::new);
+            strips.lists.resize_with(strips.index(last) + 1, Vec::new);
         }
         for &(from, to, item) in items {
             let (from, to) = (strips.index(from), strips.index(to));
-            strips.strips[from..=to].iter_mut().for_each(|strip| strip.push(item));
+            strips.lists[from..=to].iter_mut().for_each(|strip| strip.push(item));
         }
         strips
     }
@@ -39,26 +39,26 @@ impl<T: Copy> Strips<T> {
 
     /// What may lie at a position.
     pub(super) fn at(&self, z: f64) -> &[T] {
-        self.strips.get(self.index(z)).map_or(&[], Vec::as_slice)
+        self.lists.get(self.index(z)).map_or(&[], Vec::as_slice)
     }
 
     /// What may lie between two positions, strip by strip; what reaches over several strips comes several times.
     pub(super) fn between(&self, from: f64, to: f64) -> impl Iterator<Item = T> + '_ {
-        let end = (self.index(to) + 1).min(self.strips.len());
-        self.strips.get(self.index(from)..end).unwrap_or(&[]).iter().flatten().copied()
+        let end = (self.index(to) + 1).min(self.lists.len());
+        self.lists.get(self.index(from)..end).unwrap_or(&[]).iter().flatten().copied()
     }
 
     /// The smallest distance from a position that `distance` finds, mm, the nearest strips first; infinite without items.
     pub(super) fn nearest(&self, z: f64, mut distance: impl FnMut(T, f64) -> f64) -> f64 {
-        let middle = self.index(z).min(self.strips.len().saturating_sub(1));
-        let outside = (self.first - z).max(z - self.first - self.width * self.strips.len() as f64).max(0.0);
+        let middle = self.index(z).min(self.lists.len().saturating_sub(1));
+        let outside = (self.first - z).max(z - self.first - self.width * self.lists.len() as f64).max(0.0);
         let mut nearest = f64::INFINITY;
-        for away in 0..self.strips.len() {
+        for away in 0..self.lists.len() {
             if away > 0 && outside + (away as f64 - 1.0) * self.width >= nearest {
                 break;
             }
             let sides = [middle.checked_sub(away), middle.checked_add(away).filter(|_| away > 0)];
-            for strip in sides.into_iter().flatten().filter_map(|k| self.strips.get(k)) {
+            for strip in sides.into_iter().flatten().filter_map(|k| self.lists.get(k)) {
                 for &item in strip {
                     nearest = nearest.min(distance(item, nearest));
                 }

@@ -113,8 +113,7 @@ fn thread(row: &Section) -> Option<ThreadSpec> {
 /// The same with a program of four blocks: down, along, up and back.
 pub(super) fn with_program(mut derived: SetupDerived) -> SetupDerived {
     let corners = [(60.0, 15.0), (60.0, 12.2), (0.0, 12.2), (0.0, 15.0), (60.0, 15.0)].map(|(z, r)| Point::new(z, r));
-    let mut proof = ProofReport::default();
-    proof.stock = StockHistory::uncut(&derived.setup.stock);
+    let mut proof = ProofReport { stock: StockHistory::uncut(&derived.setup.stock), ..ProofReport::default() };
     for (block, ends) in (1..).zip(corners.windows(2)) {
         let starts_s = proof.times.total_s;
         proof.times.total_s += 2.0;

@@ -144,7 +144,7 @@ impl Columns {
         let span = |column: &Column<'_>, span: &Span| {
             let (low, high) = (span.low.over(column.from, column.to), span.high.over(column.from, column.to));
             let width = f64::from(column.to) - f64::from(column.from);
-            ((high[0] - low[0]).max(0.0) + (high[1] - low[1]).max(0.0)) / 2.0 * width
+            f64::midpoint((high[0] - low[0]).max(0.0), (high[1] - low[1]).max(0.0)) * width
         };
         let doubled: f64 = self.iter().map(|c| c.spans.iter().map(|s| span(&c, s)).sum::<f64>()).sum();
         doubled / super::grid::UNITS_PER_MM.powi(2)

@@ -145,8 +145,8 @@ fn joined(mut pieces: Vec<Ring>) -> Vec<Ring> {
         (doubled(&whole) == doubled(a) + doubled(b)).then_some(whole)
     };
     loop {
-        let pairs = (0..pieces.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
-        let Some((i, j, whole)) = pairs.filter_map(|(i, j)| Some((i, j, both(&pieces[i], &pieces[j])?))).next() else {
+        let mut pairs = (0..pieces.len()).flat_map(|j| (0..j).map(move |i| (i, j)));
+        let Some((i, j, whole)) = pairs.find_map(|(i, j)| Some((i, j, both(&pieces[i], &pieces[j])?))) else {
             return pieces;
         };
         pieces.remove(j);

@@ -121,7 +121,9 @@ impl Cutting {
         let holding = self.holding_met(cutter, &points);
         let mut touched = self.touched_ahead(cutter, &points);
         let start = points.first().copied().filter(|&start| self.clear != Some((tool, start)));
-        start.into_iter().for_each(|start| touched.at_start(&self.stock, cutter, start, &mut self.overlap));
+        if let Some(start) = start {
+            touched.at_start(&self.stock, cutter, start, &mut self.overlap);
+        }
         let taken = self.take(cutter, &points, pass);
         touched.after(&self.stock, cutter, &points, &mut self.overlap);
         self.clear = points.last().filter(|_| touched.holder.is_empty()).map(|&end| (tool, end));

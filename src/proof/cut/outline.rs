@@ -75,7 +75,7 @@ impl Walk {
             };
             let Some(border) = sides[side].next() else { return };
             // Lower borders of the left side and upper ones of the right side come in.
-            let comes_in = (side == 0) == (border % 2 == 0);
+            let comes_in = (side == 0) == (border.is_multiple_of(2));
             match pending.take() {
                 None => pending = Some((border, comes_in)),
                 Some((other, true)) => self.next[other] = border,
@@ -92,7 +92,7 @@ impl Walk {
         while !self.done[border] {
             self.done[border] = true;
             let (line, from, to) = self.lines[border];
-            let (begin, end) = if border % 2 == 0 { (from, to) } else { (to, from) };
+            let (begin, end) = if border.is_multiple_of(2) { (from, to) } else { (to, from) };
             if !goes_on {
                 push(&mut ring, on_line(&line, begin));
             }

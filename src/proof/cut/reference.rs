@@ -16,8 +16,11 @@ use proptest::prelude::*;
 fn boolean(subject: &[Ring], clip: &[Ring], rule: OverlayRule) -> Vec<Ring> {
     let raw = |ring: &Ring| ring.iter().map(|p| IntPoint::new(p.x, p.y)).collect::<Vec<IntPoint<i32>>>();
     let mut booleans = Booleans::new(256);
-    subject.iter().for_each(|ring| booleans.add_contour(&raw(ring), ShapeType::Subject));
-    clip.iter().for_each(|ring| booleans.add_contour(&raw(ring), ShapeType::Clip));
+    for (rings, shape) in [(subject, ShapeType::Subject), (clip, ShapeType::Clip)] {
+        for ring in rings {
+            booleans.add_contour(&raw(ring), shape);
+        }
+    }
     let shapes = booleans.overlay(rule, FillRule::NonZero).into_iter().flatten();
     let rings = shapes.map(|ring| ring.iter().map(|p| GridPoint::new(p.x, p.y)).collect::<Ring>());
     rings.filter(|ring| !is_sliver(ring)).collect()

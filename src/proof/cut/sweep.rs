@@ -92,7 +92,7 @@ mod tests {
             let outline = hull(points(&raw));
             prop_assume!(outline.len() >= 3);
             let path = points(&bends);
-            let whole = covered(&[outline.clone()], &path).area_mm2();
+            let whole = covered(std::slice::from_ref(&outline), &path).area_mm2();
             let parts: Vec<Ring> = path.windows(2).map(|w| swept(&outline, w)).collect();
             let parts = Columns::of_rings(&parts).area_mm2();
             prop_assert!((whole - parts).abs() < 2e-3, "{whole} {parts}");
