@@ -23,7 +23,7 @@ fn radius(z: f64) -> f64 {
 
 /// The proof of a program of about `blocks` blocks, with the real right-hand tool: as many passes as each has blocks, four
 /// times over.
-pub fn input(blocks: u32) -> ProofInput {
+pub(crate) fn input(blocks: u32) -> ProofInput {
     let catalog = Catalog::shipped();
     let mut machine = catalog.machine("orac").expect("the machine is shipped").clone();
     // Short blocks are often nearly level; a finding for each would be all that is measured.

@@ -5,6 +5,7 @@
 //!
 //! All of them: `cargo test --no-default-features --test mutants -- --ignored --nocapture`.
 
+#![allow(clippy::print_stdout, reason = "the table of mutants is for people to read")]
 #![allow(clippy::unwrap_used, clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a test")]
 
 mod mutate;
@@ -103,7 +104,7 @@ fn spread(subject: &Subject, kind: Kind, most: usize) -> Vec<(usize, Mutant)> {
 
 fn with_text(input: &ProofInput, program: usize, text: &str) -> ProofInput {
     let mut programs: Vec<ProgramText> = input.programs.to_vec();
-    programs[program].text = text.to_owned();
+    text.clone_into(&mut programs[program].text);
     ProofInput { programs: Arc::new(programs), ..input.clone() }
 }
 

@@ -112,8 +112,7 @@ const LENGTHS: [&str; 4] = ["X", "Z", "RADIUS", "F"];
 fn word(token: &Token<'_>, kind: Kind, count: usize) -> Vec<String> {
     let number = token.number;
     match (kind, token.letters) {
-        (Kind::Sign, "X" | "Z") => negated(number),
-        (Kind::CentreSign, "I" | "K") => negated(number),
+        (Kind::Sign, "X" | "Z") | (Kind::CentreSign, "I" | "K") => negated(number),
         (Kind::Digit, "X" | "Z" | "I" | "K" | "F" | "S" | "G" | "M") => digit(number, count),
         (Kind::LostPoint, "X" | "Z" | "I" | "K" | "F") => without_point(number),
         (Kind::RapidOrFeed, "G") => swapped(number, [("0", "1"), ("1", "0")]),
@@ -184,7 +183,7 @@ fn dropped_pages(text: &str) -> Vec<Mutant> {
         for (_, page) in pages.iter().enumerate().skip(1).filter(|(i, _)| *i != index) {
             number += 1;
             let rest = page.strip_prefix("PAGE ").map_or(*page, |r| r.trim_start_matches(|c: char| c.is_ascii_digit()));
-            all.push_str(&format!("PAGE {number:02}{rest}"));
+            all += &["PAGE ", &format!("{number:02}"), rest].concat();
         }
         let what = format!("page {index} dropped: {}", pages[index].lines().collect::<Vec<_>>().join(" "));
         let text = all.trim_end_matches('\u{2}').to_owned();

@@ -27,7 +27,13 @@ pub(crate) fn roll() -> Subject {
     let corners = [(0.0, 0.0), (159.303, 0.0), (159.303, 80.0), (0.0, 80.0)];
     let work = Work {
         stock: Contour::polygon(&corners.map(|(z, r)| Point::new(z, r))),
-        target: Target { contour, sections, names: Default::default(), machined_from_z: 0.0, bore: None },
+        target: Target {
+            contour,
+            sections,
+            names: std::collections::BTreeMap::default(),
+            machined_from_z: 0.0,
+            bore: None,
+        },
         program_zero_z: 0.0,
         chuck_face_z: -200.0,
         mandrel: None,
