@@ -12,7 +12,9 @@ use serde_json::Value;
 /// Width of the labels, points.
 const LABEL: f32 = 104.0;
 /// Width of the units, points.
-pub(super) const UNIT: f32 = 46.0;
+const UNIT: f32 = 52.0;
+/// Greatest width of a field, points.
+const WIDEST: f32 = 260.0;
 /// Lines that a list of figures shows at least.
 const LINES: usize = 4;
 
@@ -45,13 +47,18 @@ pub(super) fn group(ui: &mut Ui, draft: &mut Draft, group: &Group) {
 fn one(ui: &mut Ui, draft: &mut Draft, spec: &Field) {
     ui.horizontal(|ui| {
         form_label(ui, spec.label, LABEL);
-        let width = (ui.available_width() - UNIT).max(60.0);
+        let width = field_width(ui);
         value(ui, draft, spec, spec.path, spec.label, width);
-        ui.label(theme::quiet(spec.unit, Colors::of(ui.visuals())));
+        form_label(ui, spec.unit, UNIT);
     });
     for fault in draft.faults_at(spec.path) {
         said(ui, &fault);
     }
+}
+
+/// Width of a field with room for a unit behind it.
+pub(super) fn field_width(ui: &Ui) -> f32 {
+    (ui.available_width() - UNIT - ui.spacing().item_spacing.x).clamp(60.0, WIDEST)
 }
 
 /// What is wrong, under its field.

@@ -11,7 +11,7 @@ use super::actions::Action;
 use super::plots::{Palette, fixed, tool_picture};
 use super::theme::{self, Colors};
 use super::widgets::{choice, form_label, link, primary_button, remark, toggle};
-use crate::machine::{Catalog, Fault, ToolOutline};
+use crate::machine::{Catalog, Fault, ToolKind, ToolOutline};
 use egui::{Align, Layout, RichText, ScrollArea, Sense, Ui, vec2};
 pub use entry::{Entry, Kind};
 use serde_json::Value;
@@ -220,9 +220,11 @@ impl DataEditor {
 
     fn fields(&mut self, ui: &mut Ui) {
         self.draft.unread.clear();
-        let scroll = ScrollArea::vertical().id_salt(("fields", self.draft.number)).auto_shrink([false, false]);
+        let scroll = ScrollArea::vertical()
+            .id_salt(("fields", self.kind.title(), self.draft.number))
+            .auto_shrink([false, false]);
         scroll.show(ui, |ui| {
-            ui.push_id(("draft", self.draft.number), |ui| {
+            ui.push_id(("draft", self.kind.title(), self.draft.number), |ui| {
                 if self.kind == Kind::Tools {
                     self.shape_choices(ui);
                 }
@@ -304,7 +306,7 @@ fn words(ui: &mut Ui, label: &str, now: &str, all: &[(&str, &str)]) -> Option<St
     ui.horizontal(|ui| {
         form_label(ui, label, 104.0);
         let all: Vec<(String, String)> = all.iter().map(|(w, n)| ((*w).to_owned(), (*n).to_owned())).collect();
-        let width = (ui.available_width() - form::UNIT).max(60.0);
+        let width = form::field_width(ui);
         choice(ui, label, &now.to_owned(), &all, width)
     })
     .inner
@@ -315,6 +317,7 @@ fn ways_of(tool: &ToolOutline) -> String {
     let ways = [
         (tool.cuts_towards_headstock(), "towards the headstock"),
         (tool.cuts_away_from_headstock(), "away from it"),
+        (tool.kind == ToolKind::Grooving, "straight in"),
         (tool.cuts_face(), "the face"),
         (tool.kind.is_inside(), "in a bore"),
     ];
