@@ -1,4 +1,4 @@
-//! Receives a program text: the same machine for every protocol, with a [`Frame`] that knows where a program begins and
+//! Receives a program text: the same machine for every protocol, with a `Frame` that knows where a program begins and
 //! ends.
 
 use super::protocol;

@@ -1,6 +1,6 @@
 //! Reads programs, made here or typed at the lathe, into blocks. Shares nothing with the posts.
 //!
-//! [`orac`] reads the pages and instruction lists of the ORAC, [`words`] the letters and numbers of all other controls.
+//! `orac` reads the pages and instruction lists of the ORAC, `words` the letters and numbers of all other controls.
 //! Whatever cannot be read is a [`Trouble`], never skipped silently.
 
 mod orac;

@@ -2,7 +2,7 @@
 //!
 //! Everything is a function of z made of lines and arcs: the finished contour, the stock that is left, and for every tool
 //! the lowest place that its programmed point may take. That limit is the contour pushed off by the tool's true outline,
-//! insert and holder ([`dilate`]); it is the exact path of the finishing pass, nose radius and all, and whatever lies on or
+//! insert and holder (`dilate`); it is the exact path of the finishing pass, nose radius and all, and whatever lies on or
 //! above it neither gouges nor collides. The stock after a pass is what the insert leaves below it, by the same operation.
 //!
 //! | file | duty |
