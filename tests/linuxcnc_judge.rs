@@ -68,6 +68,8 @@ fn judge(text: &str) -> Result<Vec<Step>, String> {
         .arg("-g")
         .args([std::ffi::OsStr::new("-i"), ini.as_os_str(), "-t".as_ref(), tools.as_os_str()])
         .args(["-v".as_ref(), vars.as_os_str(), "-n".as_ref(), "2".as_ref(), program.as_os_str(), out.as_os_str()])
+        // It keeps its tool table in a file of the home folder, which programs judged side by side would share.
+        .env("HOME", dir.path())
         .current_dir(dir.path())
         .output()
         .unwrap();
