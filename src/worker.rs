@@ -176,7 +176,13 @@ mod tests {
     }
 
     fn derived(document: &Arc<Document>) -> Derived {
-        Derived { document: Arc::clone(document), machine: None, setups: Vec::new(), diagnostics: Vec::new() }
+        Derived {
+            document: Arc::clone(document),
+            machine: None,
+            material: None,
+            setups: Vec::new(),
+            diagnostics: Vec::new(),
+        }
     }
 
     fn next(worker: &Worker) -> Outcome {

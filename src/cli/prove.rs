@@ -146,6 +146,10 @@ fn print_text(args: &Prove, input: &ProofInput, report: &ProofReport, difference
         say(&sentence(difference));
     }
     let times = report.times;
+    if let Some(cost) = &report.cost {
+        let blank = cost.blank.map(|blank| format!("blank {blank:.2}, ")).unwrap_or_default();
+        say(&format!("{:.2} {} a part ({blank}machining {:.2})", cost.part, cost.currency, cost.machining));
+    }
     say(&format!(
         "{}: {:.1} min (feed {:.1}, rapid {:.1}, dwell {:.1}, tool changes {:.1}), deepest gouge {:.3} mm",
         if report.passed { "proved" } else { "NOT PROVED" },

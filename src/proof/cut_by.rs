@@ -211,6 +211,7 @@ mod tests {
             chuck_face_z: -10.0,
             mandrel: None,
             tailstock: None,
+            material: None,
             form_tolerance_mm,
             may_cut: Vec::new(),
         };

@@ -230,6 +230,7 @@ mod tests {
             chuck_face_z: -30.0,
             mandrel: None,
             tailstock: None,
+            material: None,
             form_tolerance_mm: 0.05,
             may_cut: vec![MayCut { z1: -15.0, z2: -12.0, radius: 4.0 }],
         })

@@ -2,7 +2,7 @@
 
 use super::{ProgramText, Target};
 use crate::geometry::Contour;
-use crate::machine::{Machine, ToolOutline};
+use crate::machine::{Machine, Material, ToolOutline};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -34,6 +34,8 @@ pub struct Work {
     pub mandrel: Option<Contour>,
     /// Closed outline of the tailstock's centre, if it holds the work.
     pub tailstock: Option<Contour>,
+    /// What the stock is made of, for the power of the cuts; without it or its specific force power is not looked at.
+    pub material: Option<Material>,
     /// Deviation from the contour that is allowed, mm.
     pub form_tolerance_mm: f64,
     /// Where threads and the parting groove may cut below the contour: z range and lowest radius.

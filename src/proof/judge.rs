@@ -5,10 +5,11 @@ use super::cut::{CONTACT_AREA_MM2, Contact, Cut, Cutting, Holding, Stock, StockH
 use super::findings::{Breach, Findings, Place};
 use super::form::{Depth, Form};
 use super::input::{ProofInput, Work};
-use super::leftover;
 use super::record::{Played, Record};
 use super::report::{FindingKind, Leftover, Motion};
+use super::{leftover, power};
 use crate::geometry::Point;
+use crate::machine::Machine;
 
 /// A gouge up to this depth, mm, is not worth a word: chords and rounding explain it.
 const NOTED_GOUGE_MM: f64 = 0.002;
@@ -16,6 +17,7 @@ const NOTED_GOUGE_MM: f64 = 0.002;
 /// The stock being cut and what must come out of it.
 pub(super) struct Judge<'a> {
     work: &'a Work,
+    machine: &'a Machine,
     cutting: Cutting,
     form: Form,
     deepest: f64,
@@ -28,7 +30,7 @@ impl<'a> Judge<'a> {
     pub(super) fn new(input: &'a ProofInput) -> Option<Self> {
         let work = input.work.as_ref()?;
         let cutting = Cutting::new(work, &input.tools, &input.machine.chuck);
-        Some(Self { work, cutting, form: Form::new(work), deepest: 0.0, slight: None })
+        Some(Self { work, machine: &input.machine, cutting, form: Form::new(work), deepest: 0.0, slight: None })
     }
 
     /// The stock as it is.
@@ -52,6 +54,9 @@ impl<'a> Judge<'a> {
         let length = played.path.length();
         let chip =
             if length > 0.0 && played.rpm > 0.0 { cut.taken_mm2 / length * played.feed / played.rpm } else { 0.0 };
+        if let Some(material) = &self.work.material {
+            power::check(material, self.machine, played, chip, place, findings);
+        }
         self.judge(place, &cut, played, chip, record, findings);
     }
 

@@ -9,6 +9,7 @@
 
 mod compare;
 mod control;
+mod cost;
 mod cut;
 mod cut_by;
 mod findings;
@@ -20,6 +21,7 @@ mod judge;
 mod leftover;
 mod limits;
 mod lint;
+mod power;
 mod prove;
 pub mod reader;
 mod record;
@@ -37,8 +39,8 @@ pub use input::{MayCut, ProofInput, Work};
 pub use json::{path_json, proof_json};
 pub use prove::prove;
 pub use report::{
-    BlockRef, BlockReport, BoreTarget, Finding, FindingKind, Leftover, Motion, Move, ProgramText, ProofReport,
-    StockState, Target, Times,
+    BlockRef, BlockReport, BoreTarget, Finding, FindingKind, Leftover, Motion, Move, PartCost, ProgramText,
+    ProofReport, StockState, Target, Times,
 };
 
 #[cfg(test)]

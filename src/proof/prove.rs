@@ -8,7 +8,7 @@ use super::reader::words::Tape;
 use super::reader::{self, Listing, Trouble};
 use super::report::{FindingKind, ProofReport};
 use super::run::Run;
-use super::{lint, structure};
+use super::{cost, lint, structure};
 use crate::cancel::{Cancel, Cancelled};
 use crate::diagnostic::Severity;
 use crate::geometry::{Point, Vector};
@@ -150,11 +150,13 @@ fn report(run: Run<'_>, mut findings: Findings, last: Place, names: &[String]) -
         report.deepest_gouge_mm = judge.deepest_gouge_mm();
         report.stock = judge.into_history();
     }
+    let cost = cost::of(run.input, record.times.total_s);
     let findings = findings.in_order(names);
     ProofReport {
         passed: findings.iter().all(|f| f.severity != Severity::Error),
         findings,
         times: record.times,
+        cost,
         largest_chip_mm2: record.blocks.iter().map(|b| b.chip_mm2).fold(0.0, f64::max),
         blocks: record.blocks,
         moves: record.moves,

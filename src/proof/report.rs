@@ -17,6 +17,9 @@ pub struct ProofReport {
     pub findings: Vec<Finding>,
     /// Times of all programs together.
     pub times: Times,
+    /// What the part costs, if the machine's file names its rates.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cost: Option<PartCost>,
     /// Largest chip cross-section (depth × feed per revolution), mm².
     pub largest_chip_mm2: f64,
     /// Deepest gouge into the contour, mm.
@@ -44,6 +47,22 @@ impl ProofReport {
     pub fn first_wrong_block(&self) -> Option<(&str, usize)> {
         self.errors().next().map(|finding| (finding.program.as_str(), finding.block))
     }
+}
+
+/// The cost of one part by its programs, in the currency of the machine's file.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct PartCost {
+    /// Name of the currency.
+    pub currency: String,
+    /// Setting up, once for a batch.
+    pub setup: f64,
+    /// Blank of one part; `None` if the material's mass or price is not known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub blank: Option<f64>,
+    /// Machine and operator for the time of one part.
+    pub machining: f64,
+    /// Blank and machining together.
+    pub part: f64,
 }
 
 /// Times by kind, s.

@@ -15,7 +15,7 @@ use crate::machine::Axis;
 
 /// Takes the steps of the programs as they run.
 pub(super) struct Run<'a> {
-    input: &'a ProofInput,
+    pub input: &'a ProofInput,
     cancel: &'a Cancel,
     program: usize,
     pub record: Record,

@@ -30,6 +30,8 @@ pub struct Derived {
     pub document: Arc<Document>,
     /// The machine, if the document names one that exists.
     pub machine: Option<Arc<Machine>>,
+    /// The material in mm: the document's, or the first of the table if it is not known.
+    pub material: Option<Material>,
     /// The clampings in order of machining: one, or two for a part machined at both ends.
     pub setups: Vec<SetupDerived>,
     /// What the checks, the generator and the post have to say. Findings of proofs are in the set-ups.
@@ -81,6 +83,7 @@ pub fn regenerate(
         return Ok(Derived {
             document: Arc::clone(document),
             machine: None,
+            material: None,
             setups: Vec::new(),
             diagnostics: vec![missing],
         });
@@ -101,7 +104,13 @@ pub fn regenerate(
     }
     // With an unknown material the first of the table stands in, so that the plots stay alive beside the message.
     let Some(material) = known_material.or(catalog.materials.first()).map(Material::in_mm) else {
-        return Ok(Derived { document: Arc::clone(document), machine: Some(machine), setups: Vec::new(), diagnostics });
+        return Ok(Derived {
+            document: Arc::clone(document),
+            machine: Some(machine),
+            material: None,
+            setups: Vec::new(),
+            diagnostics,
+        });
     };
     let context = Context {
         name: file_stem(&document.name),
@@ -119,7 +128,8 @@ pub fn regenerate(
         made.push(regenerate_setup(&context, setup, stages, &mut diagnostics, cancel)?);
     }
     diagnostics.extend(stray_overrides(part, &made));
-    Ok(Derived { document: Arc::clone(document), machine: Some(machine), setups: made, diagnostics })
+    let material = Some(context.material);
+    Ok(Derived { document: Arc::clone(document), machine: Some(machine), material, setups: made, diagnostics })
 }
 
 /// What all set-ups of one document share.
@@ -199,7 +209,7 @@ fn prove_setup(
         machine: Arc::clone(machine),
         tools: Arc::clone(tools),
         programs: Arc::clone(&programs),
-        work: Some(work_of(part_mm, setup, shape, &path, part_mm.form_tolerance)),
+        work: Some(work_of(part_mm, setup, shape, &path, Some(material.clone()))),
     };
     let proof = stages.proof.try_get(input, |input| proof::prove(input, cancel))?;
     Ok(Proved { path, said, post, programs, proof })
@@ -257,7 +267,10 @@ pub fn proof_input(derived: &Derived, item: &SetupDerived) -> Option<ProofInput>
         machine: Arc::clone(derived.machine.as_ref()?),
         tools: Arc::clone(&item.tools),
         programs: Arc::clone(&item.programs),
-        work: Some(work_of(part, &item.setup, shape, &item.path, form_tolerance_mm)),
+        work: Some(Work {
+            form_tolerance_mm,
+            ..work_of(part, &item.setup, shape, &item.path, derived.material.clone())
+        }),
     })
 }
 
@@ -268,7 +281,7 @@ struct Shape<'a> {
     bore: Option<&'a PartContour>,
 }
 
-fn work_of(part: &TurnedPart, setup: &Setup, shape: Shape<'_>, path: &CutterPath, form_tolerance_mm: f64) -> Work {
+fn work_of(part: &TurnedPart, setup: &Setup, shape: Shape<'_>, path: &CutterPath, material: Option<Material>) -> Work {
     let bore = shape.bore.map(|bore| BoreTarget {
         contour: bore.contour.clone(),
         sections: bore.sections.clone(),
@@ -288,7 +301,8 @@ fn work_of(part: &TurnedPart, setup: &Setup, shape: Shape<'_>, path: &CutterPath
         chuck_face_z: setup.chuck_face_z,
         mandrel: setup.mandrel.clone(),
         tailstock: setup.tailstock.clone(),
-        form_tolerance_mm,
+        material,
+        form_tolerance_mm: part.form_tolerance,
         may_cut: may_cut(setup),
     }
 }

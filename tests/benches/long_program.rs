@@ -50,6 +50,7 @@ pub(crate) fn input(blocks: u32) -> ProofInput {
         chuck_face_z: -10.0,
         mandrel: None,
         tailstock: None,
+        material: None,
         form_tolerance_mm: 0.05,
         may_cut: Vec::new(),
     };

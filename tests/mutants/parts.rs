@@ -38,6 +38,7 @@ pub(crate) fn roll() -> Subject {
         chuck_face_z: -200.0,
         mandrel: None,
         tailstock: None,
+        material: None,
         form_tolerance_mm: FORM_TOLERANCE_MM,
         may_cut: Vec::new(),
     };
@@ -76,6 +77,10 @@ pub(crate) fn on_the_orac() -> Vec<Subject> {
         let derived = regenerate(&document, &catalog, &mut Cache::default(), &Cancel::default()).unwrap();
         for item in &derived.setups {
             let Some(mut input) = proof_input(&derived, item) else { continue };
+            // The form-roll's program is the published listing.
+            if input.machine.words.is_some() {
+                continue;
+            }
             if let Some(work) = &mut input.work {
                 work.form_tolerance_mm = FORM_TOLERANCE_MM;
             }

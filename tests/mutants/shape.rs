@@ -79,14 +79,19 @@ impl Shape {
             ((a.z.max(b.z) + right - self.from) / COLUMN_MM).ceil().clamp(0.0, self.heights.len() as f64) as usize;
         let lowest = a.r.min(b.r) + border.iter().map(|p| p.r).fold(f64::INFINITY, f64::min);
         let mut deepest: f64 = 0.0;
+        let mut before = first.checked_sub(1).and_then(|k| self.heights.get(k)).copied().unwrap_or_default();
         for column in first..last {
             if self.heights[column] <= lowest {
+                before = self.heights[column];
                 continue;
             }
             let z = self.from + (column as f64 + 0.5) * COLUMN_MM;
             let height = lowest_along(a, b, border, z);
-            deepest = deepest.max(self.heights[column] - height);
-            self.heights[column] = self.heights[column].min(height);
+            // Beside a wall a column may be half in the stock: what lies deeper than its neighbours counts.
+            let right = self.heights.get(column + 1).copied().unwrap_or_default();
+            deepest = deepest.max(self.heights[column].min(right).min(before) - height);
+            before = self.heights[column];
+            self.heights[column] = before.min(height);
         }
         deepest
     }

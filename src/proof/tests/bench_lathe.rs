@@ -10,7 +10,7 @@ use crate::machine::{
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-pub(super) fn machine() -> Machine {
+pub(in crate::proof) fn machine() -> Machine {
     Machine {
         id: "test".into(),
         name: "Test lathe".into(),
@@ -62,12 +62,12 @@ pub(super) fn machine() -> Machine {
     }
 }
 
-pub(super) fn polygon(points: &[(f64, f64)]) -> Contour {
+pub(in crate::proof) fn polygon(points: &[(f64, f64)]) -> Contour {
     Contour::polygon(&points.iter().map(|&(z, r)| Point::new(z, r)).collect::<Vec<_>>())
 }
 
 /// Sharp tools: 1 right-hand, 2 left-hand, 3 threading, 4 parting 3 mm wide; holders well above.
-pub(super) fn tools() -> BTreeMap<u32, ToolOutline> {
+pub(in crate::proof) fn tools() -> BTreeMap<u32, ToolOutline> {
     let right = ToolOutline {
         insert: polygon(&[(0.0, 0.0), (5.0, 4.0), (5.0, 10.0), (0.0, 6.0)]),
         holder: polygon(&[(0.5, 8.0), (12.0, 8.0), (12.0, 60.0), (0.5, 60.0)]),
@@ -91,7 +91,7 @@ pub(super) fn tools() -> BTreeMap<u32, ToolOutline> {
     BTreeMap::from([(1, right), (2, left), (3, thread), (4, parting)])
 }
 
-pub(super) fn input_of(texts: &[&str]) -> ProofInput {
+pub(in crate::proof) fn input_of(texts: &[&str]) -> ProofInput {
     let program = |(i, text): (usize, &&str)| ProgramText {
         name: format!("TEST{}", i + 1),
         text: (*text).to_owned(),
@@ -105,21 +105,21 @@ pub(super) fn input_of(texts: &[&str]) -> ProofInput {
     }
 }
 
-pub(super) fn prove_input(input: &ProofInput) -> ProofReport {
+pub(in crate::proof) fn prove_input(input: &ProofInput) -> ProofReport {
     prove(input, &Cancel::default()).unwrap()
 }
 
 /// Proves lists of instructions without work.
-pub(super) fn prove_texts(texts: &[&str]) -> ProofReport {
+pub(in crate::proof) fn prove_texts(texts: &[&str]) -> ProofReport {
     prove_input(&input_of(texts))
 }
 
-pub(super) fn kinds(report: &ProofReport) -> Vec<(FindingKind, usize)> {
+pub(in crate::proof) fn kinds(report: &ProofReport) -> Vec<(FindingKind, usize)> {
     report.findings.iter().map(|f| (f.kind, f.block)).collect()
 }
 
 /// Length of the test part; its end face is the program zero.
-pub(super) const LENGTH: f64 = 30.0;
+pub(in crate::proof) const LENGTH: f64 = 30.0;
 
 /// A bar of radius 10 from z −40 to 30, chuck face at −10, to become a cylinder of radius 8 up to z 20 and 6 from there.
 pub(in crate::proof) fn work() -> Work {
@@ -136,39 +136,40 @@ pub(in crate::proof) fn work() -> Work {
         chuck_face_z: -10.0,
         mandrel: None,
         tailstock: None,
+        material: None,
         form_tolerance_mm: 0.05,
         may_cut: Vec::new(),
     }
 }
 
 /// A program in absolute format: numbers are added, and the head and the end around `body`.
-pub(super) fn absolute(body: &str) -> String {
+pub(in crate::proof) fn absolute(body: &str) -> String {
     lines(&format!("ABS\nMM\nPDAT 12 20\n{body}\nPTP 12 20 1000 1 1000\nEND"))
 }
 
 /// Blocks before the body of [`absolute`].
-pub(super) const HEAD: usize = 3;
+pub(in crate::proof) const HEAD: usize = 3;
 
-pub(super) fn lines(text: &str) -> String {
+pub(in crate::proof) fn lines(text: &str) -> String {
     let numbered: Vec<String> = text.lines().enumerate().map(|(i, l)| format!("{:>3}  {l}\n", i + 1)).collect();
     numbered.concat()
 }
 
-pub(super) fn with_work(texts: &[&str], work: Work) -> ProofInput {
+pub(in crate::proof) fn with_work(texts: &[&str], work: Work) -> ProofInput {
     ProofInput { work: Some(work), ..input_of(texts) }
 }
 
-pub(super) fn prove_work(body: &str) -> ProofReport {
+pub(in crate::proof) fn prove_work(body: &str) -> ProofReport {
     prove_input(&with_work(&[&absolute(body)], work()))
 }
 
 /// Findings but those of leftover, which most short programs have.
-pub(super) fn faults(report: &ProofReport) -> Vec<(FindingKind, usize)> {
+pub(in crate::proof) fn faults(report: &ProofReport) -> Vec<(FindingKind, usize)> {
     kinds(report).into_iter().filter(|(kind, _)| *kind != FindingKind::Leftover).collect()
 }
 
 /// Area of a stock state, mm².
-pub(super) fn area(state: &StockState) -> f64 {
+pub(in crate::proof) fn area(state: &StockState) -> f64 {
     let doubled = |ring: &Vec<Point>| {
         ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| a.z * b.r - b.z * a.r).sum::<f64>()
     };

@@ -8,5 +8,4 @@ mod running;
 
 use super::*;
 use crate::geometry::{Contour, Point, Segment};
-use bench_lathe::*;
-pub(in crate::proof) use bench_lathe::{word_lathe, work};
+pub(in crate::proof) use bench_lathe::*;

@@ -65,6 +65,7 @@ fn work() -> Work {
         chuck_face_z: -10.0,
         mandrel: None,
         tailstock: None,
+        material: None,
         form_tolerance_mm: 0.05,
         may_cut: Vec::new(),
     }
