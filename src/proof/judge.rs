@@ -164,12 +164,14 @@ fn collisions(cut: &Cut, place: Place, findings: &mut Findings) {
     hit(cut.flank, "flank", FindingKind::FlankCollision, "A side of the insert that cannot cut runs into the stock");
     hit(cut.holder, "holder", FindingKind::HolderCollision, "The tool holder runs into the stock");
     for &(holding, contact) in &cut.holding {
-        let (rule, what) = match holding {
-            Holding::Chuck => ("chuck", "The tool runs into the chuck"),
-            Holding::Mandrel => ("mandrel", "The tool runs into the mandrel that drives the work"),
-            Holding::Tailstock => ("tailstock", "The tool runs into the tailstock"),
+        let (rule, kind, what) = match holding {
+            Holding::Chuck => ("chuck", FindingKind::ChuckCollision, "The tool runs into the chuck"),
+            Holding::Mandrel => {
+                ("mandrel", FindingKind::ChuckCollision, "The tool runs into the mandrel that drives the work")
+            }
+            Holding::Tailstock => ("tailstock", FindingKind::TailstockCollision, "The tool runs into the tailstock"),
         };
-        hit(Some(contact), rule, FindingKind::ChuckCollision, what);
+        hit(Some(contact), rule, kind, what);
     }
 }
 

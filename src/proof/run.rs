@@ -125,10 +125,9 @@ impl Run<'_> {
         let changes = self.tool.replace(tool).is_some();
         let lasts_s = if changes { self.input.machine.tool_change_s } else { 0.0 };
         if changes {
-            self.play(
-                place,
-                Played { path: Segment::line(at, at), motion: Motion::Pause, tool, feed: 0.0, rpm, lasts_s },
-            );
+            let path = Segment::line(at, at);
+            let played = Played { path, motion: Motion::Pause, tool, feed: 0.0, rpm, lasts_s };
+            self.cut_and_play(place, played, findings);
         }
         self.record.times.tool_change_s += lasts_s;
     }

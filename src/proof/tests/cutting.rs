@@ -1,7 +1,9 @@
 //! Stock removal and what must not touch: each finding with a program that has it and one that has not.
 
 use super::*;
-use FindingKind::{ChuckCollision, FlankCollision, Gouge, HolderCollision, OutsideLimits, RapidContact};
+use FindingKind::{
+    ChuckCollision, FlankCollision, Gouge, HolderCollision, OutsideLimits, RapidContact, TailstockCollision,
+};
 
 /// Turns the whole test part with the sharp right-hand tool.
 const GOOD: &str = "PTP 12 1 1000 1 1000\nPTP 9 1 1000 1 1000\nPTP 9 -30 80 1 1000\nPTP 9.5 -29 1000 1 1000\nPTP 9.5 1 1000 1 1000\n\
@@ -144,6 +146,9 @@ fn cutting_with_the_spindle_at_rest_is_an_error() {
 fn a_tool_that_turns_into_the_stock_is_found() {
     let report = prove_work("PTP 9 1 1000 1 1000\nPTP 9 -5 80 1 1000\nPTP 12 -5 1000 2 1000");
     assert!(faults(&report).contains(&(RapidContact, HEAD + 3)), "{:?}", report.findings);
+    // The next move at cutting feed does not hide it.
+    let report = prove_work("PTP 9 1 1000 1 1000\nPTP 9 -5 80 1 1000\nPTP 12 -5 80 2 1000");
+    assert!(faults(&report).contains(&(RapidContact, HEAD + 3)), "{:?}", report.findings);
 }
 
 #[test]
@@ -201,8 +206,13 @@ fn mandrel_and_tailstock_must_stay_clear() {
     let tailstock = Some(polygon(&[(LENGTH, 0.0), (LENGTH + 10.0, 0.0), (LENGTH + 10.0, 5.0), (LENGTH, 1.0)]));
     let between = Work { mandrel, tailstock, ..work() };
     let prove_between = |body: &str| prove_input(&with_work(&[&absolute(body)], between.clone()));
-    let message =
-        |report: &ProofReport| report.findings.iter().find(|f| f.kind == ChuckCollision).map(|f| f.message.clone());
+    let message = |report: &ProofReport| {
+        report
+            .findings
+            .iter()
+            .find(|f| matches!(f.kind, ChuckCollision | TailstockCollision))
+            .map(|f| f.message.clone())
+    };
     let at_mandrel = prove_between("PTP 12 -35 80 1 1000\nPTP 12 20 1000 1 1000");
     assert!(message(&at_mandrel).is_some_and(|m| m.contains("mandrel")), "{:?}", at_mandrel.findings);
     let at_tailstock = prove_between("PTP 4 20 1000 1 1000\nPTP 4 5 1000 1 1000\nPTP 12 5 1000 1 1000");
