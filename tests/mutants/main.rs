@@ -84,9 +84,9 @@ fn judge(subject: &Subject, most: usize, rows: &mut BTreeMap<Kind, Row>) {
                 continue;
             }
             match harmless(&input, &report, &original, &shape) {
-                Ok(reason) => {
-                    println!("{}: {}: {}: {reason}", subject.name, kind.name(), mutant.what);
-                    *row.harmless.entry(reason).or_default() += 1;
+                Ok((reason, figures)) => {
+                    println!("{}: {}: {}: {reason}{figures}", subject.name, kind.name(), mutant.what);
+                    *row.harmless.entry(reason.to_owned()).or_default() += 1;
                 }
                 Err(why) => row.missed.push(format!("{}: {}: {}: {why}", subject.name, kind.name(), mutant.what)),
             }
@@ -117,15 +117,19 @@ fn said(report: &ProofReport) -> BTreeSet<(FindingKind, String)> {
     report.findings.iter().map(|f| (f.kind, f.message.clone())).collect()
 }
 
-/// Why a mutant that was not caught does no harm, or what harm it does.
-fn harmless(input: &ProofInput, report: &ProofReport, original: &ProofReport, shape: &Shape) -> Result<String, String> {
+/// Why a mutant that was not caught does no harm, with the figures that say so, or what harm it does.
+fn harmless(
+    input: &ProofInput,
+    report: &ProofReport,
+    original: &ProofReport,
+    shape: &Shape,
+) -> Result<(&'static str, String), String> {
     let path = |r: &ProofReport| r.moves.iter().map(|m| (m.path, m.motion, m.tool)).collect::<Vec<_>>();
     if path(report) == path(original) {
         let speed = |r: &ProofReport| r.moves.iter().map(|m| (m.feed_mm_per_min, m.rpm)).collect::<Vec<_>>();
         let same = speed(report) == speed(original);
-        return Ok(
-            if same { "the same moves" } else { "the same path, other feeds or speeds within the limits" }.into()
-        );
+        let reason = if same { "the same moves" } else { "the same path, other feeds or speeds within the limits" };
+        return Ok((reason, String::new()));
     }
     let now = Shape::of(input, &report.moves);
     let difference = now.difference(shape);
@@ -135,7 +139,8 @@ fn harmless(input: &ProofInput, report: &ProofReport, original: &ProofReport, sh
     if now.rapid_contact_mm > CONTACT_MM.max(shape.rapid_contact_mm + 1e-6) {
         return Err(format!("a rapid move goes {:.3} mm into the stock", now.rapid_contact_mm));
     }
-    Ok("another path, the same finished shape, nothing touched at rapid".to_owned())
+    let figures = format!(": it changes by {difference:.4} mm, rapid moves touch {:.4} mm", now.rapid_contact_mm);
+    Ok(("another path, the same finished shape, nothing touched at rapid", figures))
 }
 
 /// Prints the table and checks how many there were.
