@@ -12,6 +12,7 @@
 //! | [`storage`] | documents, recovery, imports, exports |
 //! | [`transfer`] | links, protocols and the virtual lathe |
 //! | [`output`] | the files that a build writes |
+//! | [`papers`] | drawing and setup sheet as pages, PDF, SVG, DXF and HP-GL |
 //! | [`regen`] | document to everything derived, in stages |
 //! | [`proof`] | the second opinion: program readers, stock removal, findings, times |
 //! | [`post`] | cutter location data to program text |
@@ -34,6 +35,7 @@ pub mod document;
 pub mod geometry;
 pub mod machine;
 pub mod output;
+pub mod papers;
 pub mod part;
 pub mod post;
 pub mod proof;

@@ -3,6 +3,7 @@
 mod build;
 mod convert;
 mod list;
+mod papers;
 mod programs;
 mod prove;
 mod transfer;
@@ -47,6 +48,10 @@ pub(crate) enum Command {
     Lathe(transfer::Lathe),
     /// Convert between documents, ORACAP part files, DXF, SVG, CSV and TSV.
     Convert(convert::Convert),
+    /// Draw the finished part with its dimensions.
+    Draw(papers::Draw),
+    /// Write the setup sheet of every clamping.
+    Sheet(papers::Sheet),
     /// List the machines.
     Machines(list::List),
     /// List the tools.
@@ -85,6 +90,8 @@ pub(crate) fn run(command: Command) -> Ending {
         Command::Receive(args) => transfer::receive(&args),
         Command::Lathe(args) => transfer::lathe(&args),
         Command::Convert(args) => convert::run(&args),
+        Command::Draw(args) => papers::draw(&args),
+        Command::Sheet(args) => papers::sheet(&args),
         Command::Machines(args) => list::machines(&args),
         Command::Tools(args) => list::tools(&args),
         Command::Materials(args) => list::materials(&args),

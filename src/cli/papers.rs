@@ -1,0 +1,66 @@
+//! `draw` and `sheet`: papers of a document.
+
+use super::build::{derive, open};
+use super::{Ending, Outcome, catalog, complain, say};
+use clap::Args;
+use std::path::{Path, PathBuf};
+use turnwright::diagnostic::{Diagnostic, has_errors};
+use turnwright::papers::{self, DrawingChoice, Page, Paper};
+
+/// Draw the finished part with its dimensions.
+#[derive(Debug, Args)]
+pub(crate) struct Draw {
+    /// Document or importable file.
+    file: PathBuf,
+    /// Drawing: .pdf, .svg, .dxf or .plt (HP-GL).
+    out: PathBuf,
+    /// Paper, A4 to A0, landscape.
+    #[arg(long, default_value = "A4")]
+    paper: Paper,
+    /// Scale, such as 2 for 2:1 or 0.5 for 1:2; the largest usual one that fits without.
+    #[arg(long)]
+    scale: Option<f64>,
+    /// Machine, where the file names none or another one is wanted.
+    #[arg(long, value_name = "ID")]
+    machine: Option<String>,
+}
+
+/// Write the setup sheet: stock, holding, tools with pictures, operations, programs, times.
+#[derive(Debug, Args)]
+pub(crate) struct Sheet {
+    /// Document or importable file.
+    file: PathBuf,
+    /// Sheet: .pdf with every page of every clamping, or .svg, .dxf or .plt with one numbered file a page.
+    out: PathBuf,
+    /// Machine, where the file names none or another one is wanted.
+    #[arg(long, value_name = "ID")]
+    machine: Option<String>,
+}
+
+pub(super) fn draw(args: &Draw) -> Outcome {
+    let catalog = catalog();
+    let derived = derive(&open(&args.file, args.machine.as_deref(), &catalog)?, &catalog)?;
+    complain(&derived.diagnostics);
+    let choice = DrawingChoice { paper: args.paper, scale: args.scale };
+    let page = papers::drawing(&derived, choice).map_err(|d| vec![d])?;
+    write(&args.out, &[page])?;
+    Ok(if has_errors(&derived.diagnostics) { Ending::FoundErrors } else { Ending::Good })
+}
+
+pub(super) fn sheet(args: &Sheet) -> Outcome {
+    let catalog = catalog();
+    let derived = derive(&open(&args.file, args.machine.as_deref(), &catalog)?, &catalog)?;
+    complain(&derived.diagnostics);
+    let pages: Vec<Page> =
+        derived.setups.iter().flat_map(|item| papers::setup_sheets(&derived, item, &catalog)).collect();
+    write(&args.out, &pages)?;
+    Ok(if turnwright::output::has_errors(&derived) { Ending::FoundErrors } else { Ending::Good })
+}
+
+/// Writes pages and says where they are.
+fn write(path: &Path, pages: &[Page]) -> Result<(), Vec<Diagnostic>> {
+    for file in papers::save(path, pages).map_err(|d| vec![d])? {
+        say(&file.display().to_string());
+    }
+    Ok(())
+}

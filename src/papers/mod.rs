@@ -1,0 +1,27 @@
+//! Papers: the dimensioned drawing of a finished part and the setup sheet of a clamping, as pages and as files.
+//!
+//! A page is a list of lines, arcs and texts in mm on paper; writers turn the same page into PDF, SVG, DXF and HP-GL. No page
+//! knows the date, so that the same document always prints the same paper.
+
+mod drawing;
+mod dxf;
+mod file;
+mod font;
+mod frame;
+mod hpgl;
+mod labels;
+mod page;
+mod pdf;
+mod setup_sheet;
+mod svg;
+mod tool_picture;
+mod view;
+
+pub use drawing::{DrawingChoice, drawing};
+pub use dxf::dxf;
+pub use file::save;
+pub use hpgl::hpgl;
+pub use page::{Align, Ink, Item, Page, Paper, Pen, Stroke};
+pub use pdf::pdf;
+pub use setup_sheet::setup_sheets;
+pub use svg::svg;
