@@ -8,7 +8,7 @@ use super::reader::words::Tape;
 use super::reader::{self, Listing, Trouble};
 use super::report::{FindingKind, ProofReport};
 use super::run::Run;
-use super::{cost, lint, structure};
+use super::{cost, limits, lint, structure};
 use crate::cancel::{Cancel, Cancelled};
 use crate::diagnostic::Severity;
 use crate::geometry::{Point, Vector};
@@ -45,7 +45,8 @@ fn run_pages(
     for (program, listing) in listings.iter().enumerate() {
         cancel.check()?;
         report_troubles(&listing.troubles, program, findings);
-        let structure = structure::check(listing, program, input.machine.limits.blocks_per_program, findings);
+        limits::check_pages(listing, program, input.machine.limits.blocks_per_program, findings);
+        let structure = structure::check(listing, program, findings);
         let printed: Vec<Option<u32>> = listing.blocks.iter().map(|block| block.printed).collect();
         run.begin_program(program, &printed);
         control.datum = None;

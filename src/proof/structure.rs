@@ -1,4 +1,4 @@
-//! What must be right about a program before it runs: numbering, length, end, and the pairs of loops and subroutines.
+//! What must be right about a program before it runs: numbering, end, and the pairs of loops and subroutines.
 
 use super::findings::{Breach, Findings, Place};
 use super::reader::{Block, Layout, Listing, Op, Word};
@@ -21,16 +21,11 @@ struct Open {
 }
 
 /// Checks a listing and finds its jumps.
-pub(super) fn check(listing: &Listing, program: usize, most_blocks: usize, findings: &mut Findings) -> Structure {
+pub(super) fn check(listing: &Listing, program: usize, findings: &mut Findings) -> Structure {
     let mut error = |block: usize, rule, value, limit, message| {
         let place = Place { program, block: block.max(1) };
         findings.add(place, Breach::error(rule, FindingKind::Structure, value, limit, message));
     };
-    let count = listing.blocks.len();
-    if count > most_blocks && listing.layout == Layout::Pages {
-        let message = format!("The program has {count} blocks; the control holds {most_blocks}.");
-        error(most_blocks + 1, "too many blocks", count as f64, most_blocks as f64, message);
-    }
     numbering(&listing.blocks, &mut error);
     end(listing, &mut error);
     pairs(&listing.blocks, &mut error)

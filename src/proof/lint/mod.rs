@@ -4,6 +4,7 @@
 mod characters;
 mod clamp;
 mod comments;
+mod compensation;
 mod decimal_point;
 mod end;
 mod home;
@@ -45,10 +46,11 @@ struct Remark {
 type Rule = fn(&Program<'_>) -> Vec<Remark>;
 
 /// Every rule under its name.
-const RULES: [(&str, Rule); 12] = [
+const RULES: [(&str, Rule); 13] = [
     ("lint characters", characters::check),
     ("lint clamp", clamp::check),
     ("lint comments", comments::check),
+    ("lint compensation", compensation::check),
     ("lint decimal point", decimal_point::check),
     ("lint end", end::check),
     ("lint home", home::check),

@@ -5,6 +5,7 @@ mod cutting;
 mod mutation;
 mod queen;
 mod running;
+mod words;
 
 use super::*;
 use crate::geometry::{Contour, Point, Segment};
