@@ -191,6 +191,16 @@ impl Cut {
         Self { feed: Feed::PerMinute(feed_mm_per_min), speed: Speed::Rpm(rpm) }
     }
 
+    /// The same speed with a share of the feed.
+    #[must_use]
+    pub fn slower(self, share: f64) -> Self {
+        let feed = match self.feed {
+            Feed::PerMinute(feed) => Feed::PerMinute(feed * share),
+            Feed::PerRev(feed) => Feed::PerRev(feed * share),
+        };
+        Self { feed, ..self }
+    }
+
     /// Spindle speed with the tool at `radius` mm, rev/min: `v / (2πr)` of a constant cutting speed, at most its clamp.
     #[must_use]
     pub fn rpm_at(&self, radius: f64) -> f64 {

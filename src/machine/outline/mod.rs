@@ -152,7 +152,7 @@ impl ToolOutline {
 
     /// The tool upside down, as it works in a bore.
     #[must_use]
-    pub(super) fn upside_down(&self) -> Self {
+    pub fn upside_down(&self) -> Self {
         let orientation = match self.orientation {
             1 => 4,
             2 => 3,

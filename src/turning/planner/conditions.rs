@@ -1,6 +1,7 @@
 //! Feeds, speeds and depths of an operation.
 
-use crate::machine::{CuttingOperation, Machine, Material, SpeedRule, ToolMaterial};
+use super::side::Side;
+use crate::machine::{Chip, CuttingOperation, Machine, Material, SpeedRule, Spindle, ToolMaterial};
 use crate::turning::{Cut, Feed, OperationKind, Speed};
 
 /// How one operation cuts.
@@ -12,7 +13,22 @@ pub(super) struct Conditions {
     pub(super) depth: f64,
     /// What is left for finishing, mm.
     pub(super) allowance: f64,
+    side: Side,
+    /// What limits the feed, if it is known.
+    power: Option<Box<Power>>,
 }
+
+/// A cut and the spindle that must bear it.
+#[derive(Debug, Clone, PartialEq)]
+struct Power {
+    spindle: Spindle,
+    material: Material,
+    /// Depth of cut, or width of the edge where that decides, mm.
+    width: f64,
+}
+
+/// The angle between cutting edge and direction of feed that needs the most power, degrees.
+const SQUARE_DEG: f64 = 90.0;
 
 /// How the speed follows the radius.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,15 +48,21 @@ const PUBLISHED_FINISHING_PASSES: f64 = 2.0;
 const USUAL_ALLOWANCE_MM: f64 = 0.2;
 
 impl Conditions {
-    /// The conditions of an operation by the material's tables; `None` if they do not have it.
-    pub(super) fn of(kind: OperationKind, machine: &Machine, material: &Material) -> Option<Self> {
+    /// The conditions of an operation with an edge of `edge` by the material's tables; `None` if they do not have it.
+    pub(super) fn of(
+        kind: OperationKind,
+        edge: ToolMaterial,
+        side: Side,
+        machine: &Machine,
+        material: &Material,
+    ) -> Option<Self> {
         let found = match machine.spindle.speed {
             SpeedRule::Radius { at_center_rpm, per_mm_radius_rpm } => {
                 Self::published(kind, material, at_center_rpm, per_mm_radius_rpm, machine.rpm_limit())
             }
-            SpeedRule::Surface | SpeedRule::Table => Self::of_table(kind, machine, material),
+            SpeedRule::Surface | SpeedRule::Table => Self::of_table(kind, edge, machine, material),
         };
-        found.filter(Self::is_usable)
+        found.map(|conditions| Self { side, ..conditions }).filter(Self::is_usable)
     }
 
     fn published(
@@ -61,11 +83,13 @@ impl Conditions {
             turning: Turning::ByRadius { at_center_rpm, per_mm_radius_rpm, max_rpm },
             depth,
             allowance: PUBLISHED_FINISHING_PASSES * row.depth_finish,
+            side: Side::Outside,
+            power: None,
         })
     }
 
-    fn of_table(kind: OperationKind, machine: &Machine, material: &Material) -> Option<Self> {
-        let data = material.cutting(cutting_operation(kind), ToolMaterial::Carbide)?;
+    fn of_table(kind: OperationKind, edge: ToolMaterial, machine: &Machine, material: &Material) -> Option<Self> {
+        let data = material.cutting(cutting_operation(kind), edge)?;
         let words = machine.words.as_ref();
         let surface = machine.spindle.speed == SpeedRule::Surface && words.is_some_and(|w| w.surface_speed);
         let turning = if surface {
@@ -73,9 +97,27 @@ impl Conditions {
         } else {
             Turning::Steps { m_per_min: data.speed_m_per_min, machine: Box::new(machine.clone()) }
         };
-        let finish = material.cutting(CuttingOperation::Finish, ToolMaterial::Carbide).map(|d| d.depth_mm);
+        let finishing = match kind {
+            OperationKind::RoughBore | OperationKind::FinishBore => CuttingOperation::BoreFinish,
+            _ => CuttingOperation::Finish,
+        };
+        let finish = material.cutting(finishing, edge).map(|d| d.depth_mm);
         let allowance = finish.filter(|d| *d > 0.0).unwrap_or(USUAL_ALLOWANCE_MM);
-        Some(Self { feed: Feed::PerRev(data.feed_mm_per_rev), turning, depth: data.depth_mm, allowance })
+        Some(Self {
+            feed: Feed::PerRev(data.feed_mm_per_rev),
+            turning,
+            depth: data.depth_mm,
+            allowance,
+            side: Side::Outside,
+            power: None,
+        })
+    }
+
+    /// The same with the feed that the spindle's power allows for a chip of `width` mm, if tables give what it takes.
+    pub(super) fn within_power(self, spindle: &Spindle, material: &Material, width: f64) -> Self {
+        let known = spindle.power_kw.is_some() && material.specific_cutting_force_n_per_mm2.is_some();
+        let power = known.then(|| Box::new(Power { spindle: spindle.clone(), material: material.clone(), width }));
+        Self { power, ..self }
     }
 
     fn is_usable(&self) -> bool {
@@ -88,16 +130,33 @@ impl Conditions {
         all.iter().all(|v| v.is_finite() && *v > 0.0) && self.depth >= 0.0 && self.allowance >= 0.0
     }
 
-    /// Feed and speed with the programmed point at `radius` mm.
-    pub(super) fn cut(&self, radius: f64) -> Cut {
+    /// Feed and speed of a cut between two radii as the planner counts them, mm: the speed at the end, and the feed that the
+    /// spindle's power allows at both.
+    pub(super) fn cut(&self, from: f64, to: f64) -> Cut {
+        let (from, to) = (self.side.radius(from), self.side.radius(to));
         let speed = match self.turning {
             Turning::Surface { m_per_min, max_rpm } => Speed::Surface { m_per_min, max_rpm },
-            Turning::ByRadius { .. } | Turning::Steps { .. } => Speed::Rpm(self.rpm(radius)),
+            Turning::ByRadius { .. } | Turning::Steps { .. } => Speed::Rpm(self.rpm(to)),
         };
-        Cut { feed: self.feed, speed }
+        let cut = Cut { feed: self.feed, speed };
+        self.limited(self.limited(cut, from), to)
     }
 
-    /// Spindle speed with the programmed point at `radius` mm, rev/min.
+    /// The cut with no more feed than the spindle's power allows at a radius of the part, mm.
+    fn limited(&self, cut: Cut, radius: f64) -> Cut {
+        let (Some(power), Feed::PerRev(feed_mm_per_rev)) = (&self.power, cut.feed) else { return cut };
+        let rpm = cut.rpm_at(radius);
+        let speed = std::f64::consts::TAU * radius.abs() * rpm / 1000.0;
+        let chip = Chip { depth_mm: power.width, feed_mm_per_rev, approach_deg: SQUARE_DEG };
+        Cut { feed: Feed::PerRev(power.spindle.feed_within_power(&power.material, chip, speed, rpm)), ..cut }
+    }
+
+    /// Feed and a fixed speed, that of an edge at `radius` mm of the part: for drills, whose programmed point is on the axis.
+    pub(super) fn fixed(&self, radius: f64) -> Cut {
+        self.limited(Cut { feed: self.feed, speed: Speed::Rpm(self.rpm(radius)) }, radius)
+    }
+
+    /// Spindle speed with the programmed point at `radius` mm of the part, rev/min.
     fn rpm(&self, radius: f64) -> f64 {
         let by_surface = |m_per_min: f64| m_per_min * 1000.0 / (std::f64::consts::TAU * radius.abs());
         match &self.turning {

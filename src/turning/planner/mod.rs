@@ -11,9 +11,11 @@
 //! | `outline`, `shape`, `dilate` | outlines of tools turned over and rolled along functions |
 //! | `tool`, `work` | what a tool is for; contour, jaws, stock, limits |
 //! | `trace`, `corner`, `path`, `link` | limits as paths that a control can take; moves; ways through air |
-//! | `rough`, `follow`, `groove`, `thread`, `part_off` | one kind of operation each |
+//! | `rough`, `follow`, `groove`, `thread` | one kind of operation each |
+//! | `side` | a bore seen as an outside |
 //! | `left` | what no tool could reach |
 //! | `conditions`, `order` | feeds, speeds, depths; which tool does what, and when |
+//! | `order/face`, `order/drill`, `order/bore`, `order/part_off` | facing of the free end; the bore; parting off |
 
 mod chain;
 mod conditions;
@@ -25,11 +27,11 @@ mod left;
 mod link;
 mod order;
 mod outline;
-mod part_off;
 mod path;
 mod piece;
 mod rough;
 mod shape;
+mod side;
 mod thread;
 mod tool;
 mod trace;
@@ -44,14 +46,17 @@ use crate::part;
 /// How far arcs may leave a parabola of the contour in a planned path, mm.
 const PARABOLA_TOLERANCE_MM: f64 = 0.002;
 
+/// Where tools are that have no change position of their own.
+fn datum(task: &Task<'_>) -> Point {
+    let (setup, rule) = (task.setup, &task.machine.datum);
+    Point::new(setup.length + rule.axial_clearance_mm, setup.bar_radius + rule.radial_clearance_mm)
+}
+
 /// The planned cutter path of a set-up.
 #[must_use]
 pub fn plan(task: &Task<'_>) -> (CutterPath, Vec<Diagnostic>) {
     let (setup, machine) = (task.setup, task.machine);
-    let datum = Point::new(
-        setup.length + machine.datum.axial_clearance_mm,
-        setup.bar_radius + machine.datum.radial_clearance_mm,
-    );
+    let datum = datum(task);
     let zero_z = match machine.datum.zero {
         ZeroEnd::FreeEnd => setup.length,
         ZeroEnd::ClampedEnd => 0.0,

@@ -1,15 +1,22 @@
 //! Which tool does what, and in which order.
 
+mod bore;
+mod drill;
+mod face;
+mod part_off;
+
 use super::chain::Chain;
 use super::conditions::Conditions;
 use super::follow::Follow;
 use super::left::{self, Left};
+use super::link;
 use super::path::Path;
 use super::rough::Rough;
+use super::side::Side;
 use super::tool::{Cutter, Use};
 use super::trace::ArcRules;
 use super::work::Work;
-use super::{groove, part_off, thread};
+use super::{groove, thread};
 use crate::diagnostic::{Diagnostic, Place, SectionTable, Severity};
 use crate::geometry::Point;
 use crate::machine::Machine;
@@ -48,6 +55,8 @@ pub(super) struct Order<'a> {
     datum: Point,
     /// Position of the control's zero.
     zero_z: f64,
+    /// From where the work is cut.
+    side: Side,
     work: Work,
     rules: ArcRules,
     cutters: Vec<Cutter>,
@@ -63,6 +72,7 @@ impl<'a> Order<'a> {
             task,
             datum,
             zero_z,
+            side: Side::Outside,
             work: Work::new(task.setup, contour, task.machine),
             rules: ArcRules::from(&task.machine.limits),
             cutters: task.tools.iter().filter_map(|(&station, outline)| Cutter::new(station, outline)).collect(),
@@ -83,6 +93,7 @@ impl<'a> Order<'a> {
         };
         let (right, left) = (of(|u| *u == Use::Right), of(|u| *u == Use::Left));
         let (blades, threading) = (of(|u| matches!(u, Use::Blade { .. })), of(|u| *u == Use::Thread));
+        self.face(setup);
         for (k, cutter) in right.iter().chain(&left).enumerate() {
             self.rough(cutter, if k == 0 { 0.0 } else { TOOL_WORTH_MM });
             self.finish(cutter, if k == 0 { FINISH_WORTH_MM } else { TOOL_WORTH_MM });
@@ -91,25 +102,28 @@ impl<'a> Order<'a> {
             self.groove(cutter);
         }
         self.left(contour);
+        self.bore(setup);
         if let Some(cutter) = threading.first() {
             self.threads(setup, cutter);
         }
-        if let (Some(_), Some(cutter)) = (setup.part_off_width, blades.first()) {
-            self.part_off(setup, cutter);
+        if setup.part_off_width.is_some() && !blades.is_empty() {
+            self.part_off(setup, &blades);
         }
         self.missing(setup, blades.is_empty(), threading.is_empty());
     }
 
     /// The row of a section.
     fn row(&self, id: u32) -> Place {
-        let index = self.task.part_mm.sections.iter().position(|s| s.id == id).unwrap_or(0);
-        Place::Section { id, row: index + 1, column: None, table: SectionTable::Outside }
+        let (table, index) = self.task.part_mm.row(id).map_or((SectionTable::Outside, 0), |(table, k, _)| (table, k));
+        Place::Section { id, row: index + 1, column: None, table }
     }
 
     /// Feeds, speeds and depths; without them the operation is left out, and that is said once.
-    fn conditions(&mut self, kind: OperationKind) -> Option<Conditions> {
+    fn conditions(&mut self, kind: OperationKind, station: u32) -> Option<Conditions> {
         let material = self.task.material_mm;
-        let found = Conditions::of(kind, self.machine, material);
+        let kind = self.side.kind(kind);
+        let edge = self.task.tools.get(&station).map(|tool| tool.edge).unwrap_or_default();
+        let found = Conditions::of(kind, edge, self.side, self.machine, material);
         if found.is_none() && !self.diagnostics.iter().any(|d| d.code == "no-cutting-data") {
             let message = format!(
                 "The material table has no usable speed, feed and depth of {} for \"{}\" on {}.",
@@ -121,13 +135,31 @@ impl<'a> Order<'a> {
                 .with_hint("Choose another material, or add the row to the material table.");
             self.diagnostics.push(said);
         }
-        found
+        let width = found.as_ref().map_or(0.0, |conditions| self.chip_width(kind, station, conditions));
+        found.map(|conditions| conditions.within_power(&self.machine.spindle, material, width))
+    }
+
+    /// Depth of cut, or of blades and drills the width of the edge, mm.
+    fn chip_width(&self, kind: OperationKind, station: u32, conditions: &Conditions) -> f64 {
+        let insert = self.task.tools.get(&station).and_then(|tool| tool.insert.bounds());
+        match (kind, insert) {
+            (OperationKind::Groove | OperationKind::PartOff, Some(bounds)) => bounds.max.z - bounds.min.z,
+            (OperationKind::Drill, Some(bounds)) => bounds.max.r,
+            (OperationKind::FinishRight | OperationKind::FinishLeft | OperationKind::FinishBore, _) => {
+                conditions.depth.max(conditions.allowance)
+            }
+            _ => conditions.depth,
+        }
     }
 
     /// Where the turret turns to a station.
     fn change(&self, station: u32) -> Option<Point> {
-        let place = self.machine.change_position(station)?;
-        Some(Point::new(place.z_mm + self.zero_z, place.diameter_mm / 2.0))
+        let of_machine = self.machine.change_position(station);
+        let change = of_machine.map(|place| Point::new(place.z_mm + self.zero_z, place.diameter_mm / 2.0));
+        match self.side {
+            Side::Outside => change,
+            Side::Inside { .. } => Some(self.side.point(change.unwrap_or_else(|| super::datum(self.task)))),
+        }
     }
 
     /// The moves of an operation that begins where its tool is changed.
@@ -138,7 +170,7 @@ impl<'a> Order<'a> {
     /// Strokes, then once along what they leave where it is rough.
     fn rough(&mut self, cutter: &Cutter, worth: f64) {
         let kind = if cutter.r#use == Use::Left { OperationKind::RoughLeft } else { OperationKind::RoughRight };
-        let Some(conditions) = self.conditions(kind) else { return };
+        let Some(conditions) = self.conditions(kind, cutter.station) else { return };
         let limit = self.work.limit(cutter, conditions.allowance);
         let touch = cutter.insert.over(&self.work.stock);
         let air = self.work.air(cutter);
@@ -176,7 +208,7 @@ impl<'a> Order<'a> {
     }
 
     fn follow(&mut self, kind: OperationKind, cutter: &Cutter, worth: f64) {
-        let Some(conditions) = self.conditions(kind) else { return };
+        let Some(conditions) = self.conditions(kind, cutter.station) else { return };
         let limit = self.work.limit(cutter, 0.0);
         let mut path = self.path(&conditions, cutter);
         let follow = Follow { work: &self.work, cutter, limit: &limit, allowance: 0.0, worth, rules: self.rules };
@@ -187,7 +219,7 @@ impl<'a> Order<'a> {
 
     fn groove(&mut self, cutter: &Cutter) {
         let Use::Blade { width } = cutter.r#use else { return };
-        let Some(conditions) = self.conditions(OperationKind::Groove) else { return };
+        let Some(conditions) = self.conditions(OperationKind::Groove, cutter.station) else { return };
         let limit = self.work.limit(cutter, conditions.allowance);
         let touch = cutter.insert.over(&self.work.stock);
         let plunges = groove::plunges(&limit, &touch, width);
@@ -201,7 +233,7 @@ impl<'a> Order<'a> {
     }
 
     fn threads(&mut self, setup: &Setup, cutter: &Cutter) {
-        let Some(conditions) = self.conditions(OperationKind::Thread) else { return };
+        let Some(conditions) = self.conditions(OperationKind::Thread, cutter.station) else { return };
         let mut path = self.path(&conditions, cutter);
         for spec in &setup.threads {
             let (depth, row) = (conditions.depth, self.row(spec.section));
@@ -211,19 +243,19 @@ impl<'a> Order<'a> {
         self.add(OperationKind::Thread, cutter, path);
     }
 
-    fn part_off(&mut self, setup: &Setup, cutter: &Cutter) {
-        let Some(conditions) = self.conditions(OperationKind::PartOff) else { return };
-        let mut path = self.path(&conditions, cutter);
-        part_off::cut(&mut path, setup.machined_from_z, &self.work, cutter, self.datum.r);
-        self.add(OperationKind::PartOff, cutter, path);
-    }
-
     /// Takes what was cut from the stock, brings the tool home and keeps the operation, if it does anything.
     fn add(&mut self, kind: OperationKind, cutter: &Cutter, mut path: Path<'_>) {
         self.work.cut(cutter, &path.cuts);
         let air: Chain = self.work.air(cutter);
+        if let Side::Inside { .. } = self.side {
+            // Off the wall, and out along the hole.
+            let height = self.datum.r.max(path.at.r);
+            let off = Point::new(path.at.z + link::LEAN * (height - path.at.r), height);
+            link::link(&mut path, off, &air, height);
+        }
         path.home(&air, self.datum.r);
         let change = self.change(cutter.station);
+        let kind = self.side.kind(kind);
         let name = kind.name();
         self.operations.extend(path.rounds().into_iter().map(|moves| Operation {
             kind,
@@ -245,6 +277,7 @@ impl<'a> Order<'a> {
     fn left(&mut self, contour: &PartContour) {
         for left in left::measure(&self.work, contour) {
             let Left { section, height, at } = left;
+            let at = self.side.point(at);
             let message = format!(
                 "No tool of {} reaches all of this row: {height:.3} mm are left at z {:.3}, diameter {:.3}.",
                 self.machine.name,

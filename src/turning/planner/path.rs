@@ -5,7 +5,7 @@ use super::conditions::Conditions;
 use super::link::link;
 use super::trace::one_direction;
 use crate::geometry::{Point, Segment};
-use crate::turning::CutMove;
+use crate::turning::{Cut, CutMove};
 
 /// Moves shorter than this are left out, mm: half of a control's smallest step.
 const NO_MOVE_MM: f64 = 0.0005;
@@ -41,10 +41,14 @@ impl<'a> Path<'a> {
 
     /// Cutting, straight to `to`.
     pub(super) fn line(&mut self, to: Point) {
+        self.line_at(to, self.conditions.cut(self.at.r, to.r));
+    }
+
+    /// Cutting, straight to `to`, with a feed and speed of its own.
+    pub(super) fn line_at(&mut self, to: Point, cut: Cut) {
         if self.at.distance(to) < NO_MOVE_MM {
             return;
         }
-        let cut = self.conditions.cut(to.r);
         match (self.moves.last_mut(), self.cuts.last_mut()) {
             (Some(CutMove::Line { to: end, cut: same }), Some(Segment::Line { start, end: last }))
                 if *same == cut && one_direction(*start, *last, to) =>
@@ -66,7 +70,7 @@ impl<'a> Path<'a> {
             Segment::Arc { start, end, center, ccw } => {
                 if start.distance(end) >= NO_MOVE_MM {
                     self.cuts.push(*segment);
-                    self.moves.push(CutMove::Arc { to: end, center, ccw, cut: self.conditions.cut(end.r) });
+                    self.moves.push(CutMove::Arc { to: end, center, ccw, cut: self.conditions.cut(start.r, end.r) });
                     self.at = end;
                 }
             }

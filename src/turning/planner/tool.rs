@@ -41,7 +41,7 @@ pub(super) struct Cutter {
 }
 
 /// Distance that a holder, and an edge that cannot cut, keeps from the work, mm: holders are made to tenths.
-const HOLDER_CLEARANCE_MM: f64 = 0.1;
+pub(super) const HOLDER_CLEARANCE_MM: f64 = 0.1;
 
 /// Edges that rise less than this over their length lie level, mm.
 const LEVEL_MM: f64 = 1e-6;

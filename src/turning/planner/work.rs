@@ -10,7 +10,7 @@ use crate::machine::Machine;
 use crate::part::{PartContour, Setup};
 
 /// Distance that a tool keeps from the jaws, mm.
-const JAW_CLEARANCE_MM: f64 = 1.0;
+pub(super) const JAW_CLEARANCE_MM: f64 = 1.0;
 
 /// The bar that stays begins this far beyond the last place that a nose cuts, mm: rounding must not make it a wall.
 const BESIDE_MM: f64 = 1e-6;
@@ -22,7 +22,7 @@ const SLIVER_MM: f64 = 0.1;
 pub(super) const AIR_MM: f64 = 1.0;
 
 /// How far the programmed point may pass the axis, mm: a face is cut to its middle by the side of the nose.
-const AXIS_OVERSHOOT_MM: f64 = 1.0;
+pub(super) const AXIS_OVERSHOOT_MM: f64 = 1.0;
 
 /// The work, mm.
 #[derive(Debug, Clone)]
@@ -37,6 +37,8 @@ pub(super) struct Work {
     pub(super) from_z: f64,
     /// Free end of the finished part.
     pub(super) face_z: f64,
+    /// No tool needs to go lower, mm.
+    pub(super) floor: f64,
 }
 
 /// Where a tool's programmed point may be: on or above a function over the range that is worked in.
@@ -60,6 +62,7 @@ impl Work {
             jaws,
             from_z: setup.machined_from_z,
             face_z: setup.length,
+            floor: -AXIS_OVERSHOOT_MM,
         }
     }
 
@@ -97,7 +100,7 @@ impl Work {
     fn limited(&self, cutter: &Cutter, chain: &Chain) -> Limit {
         let z0 = self.from_z - cutter.bottom.0;
         let z1 = self.end_z().max(self.face_z) - cutter.extent.0 + 2.0 * AIR_MM;
-        let floor = Chain::level(z0, z1, -cutter.nose.min(AXIS_OVERSHOOT_MM));
+        let floor = Chain::level(z0, z1, self.floor.max(-cutter.nose));
         Limit { chain: chain.clipped(z0, z1).max(&floor), z0, z1 }
     }
 

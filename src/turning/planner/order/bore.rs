@@ -1,0 +1,188 @@
+//! Bores: drilled where the stock is solid, then roughed and finished with the boring bars.
+//!
+//! The bore is planned by the same steps as the outside, on radii counted from outside (`Side::Inside`). What is new is that
+//! there is a wall behind the tool, too: how deep a bar goes is found from the hole as it is.
+
+use super::{FINISH_WORTH_MM, Order, TOOL_WORTH_MM};
+use crate::geometry::{Point, Segment};
+use crate::machine::{Machine, ToolKind};
+use crate::part::{self, PartContour, Setup};
+use crate::turning::planner::PARABOLA_TOLERANCE_MM;
+use crate::turning::planner::chain::Chain;
+use crate::turning::planner::link::CLEARANCE_MM;
+use crate::turning::planner::outline::{Turn, upper_pieces};
+use crate::turning::planner::piece::{Piece, SAME_MM};
+use crate::turning::planner::shape::Shape;
+use crate::turning::planner::side::Side;
+use crate::turning::planner::tool::{Cutter, Use};
+use crate::turning::planner::work::{JAW_CLEARANCE_MM, Work};
+
+/// Distance of the line that radii count from beyond the bar, mm: every radius stays positive.
+const BEYOND_BAR_MM: f64 = 100.0;
+
+/// Distance that the back of a bar keeps from the wall behind it, mm.
+const BEHIND_MM: f64 = 0.2;
+
+/// Distance that the sleeve of a bar keeps from the work's end, mm.
+const SLEEVE_MM: f64 = 1.0;
+
+/// A bar that does not come in further than this does not come in, mm.
+const SHALLOW_MM: f64 = 0.1;
+
+/// How far tools go beyond the mouth of the bore on the radius, mm: more than any nose of a bar.
+const OUT_OF_MOUTH_MM: f64 = 2.0;
+
+/// Halvings of a stretch along the spindle until a place is found: 2⁻⁵⁰ of any bar is nothing.
+const HALVINGS: u32 = 50;
+
+/// Cut edges below this radius lie on the axis, mm.
+const ON_AXIS_MM: f64 = 1e-6;
+
+/// The bore of a set-up.
+pub(super) struct Bore {
+    pub(super) side: Side,
+    /// The axis as the planner counts radii, mm.
+    pub(super) axis: f64,
+    /// Machined from here.
+    pub(super) from_z: f64,
+    /// True if the hole goes on beyond `from_z`.
+    pub(super) open: bool,
+    contour: PartContour,
+}
+
+impl Bore {
+    /// The bore of a set-up; `None` if nothing of it is machined.
+    fn of(setup: &Setup) -> Option<Self> {
+        let profile = setup.bore.as_ref()?;
+        // What is parted off needs no bore.
+        let from_z = setup.part_off_width.map_or(setup.bored_from_z, |_| setup.bored_from_z.max(0.0));
+        if from_z >= setup.length - SAME_MM || setup.tailstock.is_some() {
+            return None;
+        }
+        let axis = setup.bar_radius + BEYOND_BAR_MM;
+        let side = Side::Inside { from: axis };
+        let mut contour = part::contour(profile, PARABOLA_TOLERANCE_MM);
+        contour.contour.segments.iter_mut().for_each(|s| *s = side.segment(s));
+        let open =
+            profile.radius_at(from_z).is_some_and(|_| profile.pieces.first().is_some_and(|p| is_open(p, from_z)));
+        Some(Self { side, axis, from_z, open, contour })
+    }
+
+    /// The work seen from inside; `end_z`: where the stock ends now.
+    fn work(&self, setup: &Setup, machine: &Machine, end_z: f64) -> Work {
+        let segments = &self.contour.contour.segments;
+        let mut pieces: Vec<Piece> = segments.iter().filter_map(Piece::of).collect();
+        // Solid behind the bottom of a blind hole.
+        let bottom = segments.first().map(Segment::start).filter(|first| first.r >= self.axis - ON_AXIS_MM);
+        if let Some(bottom) = bottom {
+            pieces.insert(0, Piece::level(bottom.z - setup.length - setup.bar_radius, bottom.z, self.axis));
+        }
+        let stock = upper_pieces(&self.side.contour(&setup.stock), Turn::None);
+        let stock: Vec<Chain> = stock.into_iter().map(|p| Chain { pieces: vec![p] }).collect();
+        let face = setup.chuck_face_z + JAW_CLEARANCE_MM;
+        Work {
+            part: Chain { pieces },
+            stock: Chain::largest(&stock).clipped(f64::NEG_INFINITY, end_z),
+            jaws: Chain::level(face - machine.chuck.depth_mm, face, self.axis + JAW_CLEARANCE_MM),
+            from_z: self.from_z,
+            face_z: setup.length,
+            floor: segments.last().map_or(0.0, |s| s.end().r) - OUT_OF_MOUTH_MM,
+        }
+    }
+}
+
+/// True if the first piece of a bore shows that it goes on to the left of `z`: it begins before it, or open at it.
+fn is_open(first: &part::Piece, z: f64) -> bool {
+    let start = first.start();
+    start.z < z - SAME_MM || start.r > ON_AXIS_MM
+}
+
+impl Order<'_> {
+    /// Makes the bore, if there is one.
+    pub(super) fn bore(&mut self, setup: &Setup) {
+        let Some(bore) = Bore::of(setup) else { return };
+        let side = bore.side;
+        let tools = self.task.tools.iter();
+        let seen = tools.filter(|(_, outline)| outline.kind != ToolKind::Drill);
+        let mut inside = Order {
+            machine: self.machine,
+            task: self.task,
+            datum: Point::new(self.datum.z, bore.axis),
+            zero_z: self.zero_z,
+            side,
+            work: bore.work(setup, self.machine, self.work.end_z()),
+            rules: self.rules,
+            cutters: seen.filter_map(|(&station, outline)| Cutter::new(station, &side.tool(outline)?)).collect(),
+            operations: Vec::new(),
+            diagnostics: Vec::new(),
+        };
+        inside.drill(&bore);
+        inside.bars(bore.from_z);
+        inside.left(&bore.contour);
+        let (operations, said) = inside.done();
+        self.operations.extend(operations.into_iter().map(|o| side.operation(o)));
+        self.diagnostics.extend(said);
+    }
+
+    /// Roughs with the bars, the strongest first, finishes with them, the finest first, and cuts grooves.
+    fn bars(&mut self, from_z: f64) {
+        let of = |wanted: fn(&Use) -> bool| -> Vec<Cutter> {
+            let mut found: Vec<Cutter> = self.cutters.iter().filter(|c| wanted(&c.r#use)).cloned().collect();
+            found.sort_by(|a, b| b.nose.total_cmp(&a.nose));
+            found
+        };
+        let (right, left) = (of(|u| *u == Use::Right), of(|u| *u == Use::Left));
+        let blades = of(|u| matches!(u, Use::Blade { .. }));
+        for (k, bar) in right.iter().enumerate() {
+            if self.comes_in(bar, from_z) {
+                self.rough(bar, if k == 0 { 0.0 } else { TOOL_WORTH_MM });
+            }
+        }
+        for (k, bar) in right.iter().rev().enumerate() {
+            if self.comes_in(bar, from_z) {
+                self.finish(bar, if k == 0 { FINISH_WORTH_MM } else { TOOL_WORTH_MM });
+            }
+        }
+        for bar in &left {
+            if self.comes_in(bar, from_z) {
+                self.rough(bar, TOOL_WORTH_MM);
+                self.finish(bar, TOOL_WORTH_MM);
+            }
+        }
+        for blade in &blades {
+            if self.comes_in(blade, from_z) {
+                self.groove(blade);
+            }
+        }
+        self.work.from_z = from_z;
+    }
+
+    /// Finds how deep a bar can go into the hole as it is: with the way back from the wall that it cuts free, clear of the wall
+    /// behind it, and with its sleeve in the open. That is where machining begins for it. False if it does not come in.
+    pub(super) fn comes_in(&mut self, bar: &Cutter, from_z: f64) -> bool {
+        let (Some(outline), Side::Inside { from: axis }) = (self.task.tools.get(&bar.station), self.side) else {
+            return false;
+        };
+        let air = self.work.air(bar);
+        let behind = Shape::of([&outline.insert, &outline.holder], Turn::Both).over(&self.work.stock);
+        let height = |z: f64| air.highest(z, f64::INFINITY) + CLEARANCE_MM;
+        let fits = |z: f64| height(z) <= 2.0 * axis - behind.highest(z, f64::INFINITY) - BEHIND_MM;
+        let end = self.work.end_z();
+        let deepest = (from_z - bar.bottom.0).max(end - bar.extent.1 + SLEEVE_MM);
+        let mut place = deepest;
+        if !fits(deepest) {
+            let (mut tight, mut free) = (deepest, end);
+            for _ in 0..HALVINGS {
+                let middle = f64::midpoint(tight, free);
+                if fits(middle) { free = middle } else { tight = middle }
+            }
+            place = free;
+        }
+        if end - place < SHALLOW_MM {
+            return false;
+        }
+        self.work.from_z = place + bar.bottom.0;
+        self.datum.r = height(place);
+        true
+    }
+}

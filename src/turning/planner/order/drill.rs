@@ -1,0 +1,88 @@
+//! Drilling on the axis.
+
+use super::Order;
+use super::bore::Bore;
+use crate::geometry::{Contour, Point, Segment};
+use crate::machine::{ToolKind, ToolOutline};
+use crate::turning::OperationKind;
+use crate::turning::planner::link::CLEARANCE_MM;
+use crate::turning::planner::outline::Turn;
+use crate::turning::planner::path::Path;
+use crate::turning::planner::shape::Shape;
+use crate::turning::planner::tool::Cutter;
+
+/// How far the full diameter of a drill goes beyond a hole that is open there, mm.
+const BREAK_THROUGH_MM: f64 = 1.0;
+
+/// A hole this narrow is none to a drill, mm on the radius: it drills into solid material.
+const SOLID_MM: f64 = 0.05;
+
+/// Solid material shorter than this is not drilled, mm.
+const SHORTEST_MM: f64 = 0.5;
+
+/// Distance in front of the work from which a drill feeds, mm.
+const IN_FRONT_MM: f64 = 4.0 * CLEARANCE_MM;
+
+/// Distance that the sleeve of a drill keeps from the work, mm.
+const SLEEVE_MM: f64 = 1.0;
+
+/// What of a drill's own outline may be off, mm: rounding.
+const ROUNDING_MM: f64 = 1e-6;
+
+impl Order<'_> {
+    /// Drills what is solid, with the widest drill first, each as deep as it may go.
+    pub(super) fn drill(&mut self, bore: &Bore) {
+        let of_drills = self.task.tools.iter().filter(|(_, outline)| outline.kind == ToolKind::Drill);
+        let mut drills: Vec<(u32, &ToolOutline)> = of_drills.map(|(&station, outline)| (station, outline)).collect();
+        drills.sort_by(|a, b| radius(&b.1.insert).total_cmp(&radius(&a.1.insert)));
+        for (station, outline) in drills {
+            let seen = bore.side.tool(outline);
+            let Some((seen, cutter)) = seen.and_then(|s| Cutter::new(station, &s).map(|c| (s, c))) else { continue };
+            if let Some(tip) = self.tip(bore, &seen).filter(|&tip| self.is_solid(bore, tip)) {
+                self.drill_to(bore, &cutter, radius(&outline.insert), tip);
+            }
+        }
+    }
+
+    /// The deepest place of a drill's tip; `None` if it does not go in with its full diameter.
+    fn tip(&self, bore: &Bore, seen: &ToolOutline) -> Option<f64> {
+        let end = self.work.end_z();
+        let kept = Shape::of([&seen.insert], Turn::Both).over(&self.work.part.max(&self.work.jaws));
+        let sleeve = Shape::grown(&seen.holder, Turn::Both, SLEEVE_MM).over(&self.work.stock);
+        let limit = kept.max(&sleeve).clipped(f64::NEG_INFINITY, end);
+        let free = limit.runs_below(bore.axis + ROUNDING_MM).last().copied()?;
+        let point = point(&seen.insert);
+        let through = if bore.open { bore.from_z - point - BREAK_THROUGH_MM } else { f64::NEG_INFINITY };
+        let tip = free.z0.max(through);
+        (free.z1 >= end - ROUNDING_MM && tip + point < end - SHORTEST_MM).then_some(tip)
+    }
+
+    /// True if there is solid material that the tip goes through.
+    fn is_solid(&self, bore: &Bore, tip: f64) -> bool {
+        let ahead = self.work.stock.clipped(tip.max(bore.from_z), f64::INFINITY);
+        ahead.runs_above(bore.axis - SOLID_MM).iter().any(|run| run.width() > SHORTEST_MM)
+    }
+
+    fn drill_to(&mut self, bore: &Bore, cutter: &Cutter, radius: f64, tip: f64) {
+        let Some(conditions) = self.conditions(OperationKind::Drill, cutter.station) else { return };
+        self.datum.r = bore.axis;
+        let start = Point::new(self.work.end_z() + IN_FRONT_MM, bore.axis);
+        let to = Point::new(tip, bore.axis);
+        let mut path: Path<'_> = self.path(&conditions, cutter);
+        path.rapid(start);
+        path.line_at(to, conditions.fixed(radius));
+        path.rapid(start);
+        self.add(OperationKind::Drill, cutter, path);
+    }
+}
+
+/// Radius of a drill, mm.
+fn radius(insert: &Contour) -> f64 {
+    insert.bounds().map_or(0.0, |b| b.max.r)
+}
+
+/// Length of a drill's point, mm.
+fn point(seen: &Contour) -> f64 {
+    let full = radius(seen) - ROUNDING_MM;
+    seen.segments.iter().map(Segment::start).filter(|p| p.r >= full).map(|p| p.z).fold(f64::INFINITY, f64::min)
+}
