@@ -14,9 +14,9 @@ pub(crate) struct Draw {
     file: PathBuf,
     /// Drawing: .pdf, .svg, .dxf or .plt (HP-GL).
     out: PathBuf,
-    /// Paper, A4 to A0, landscape.
-    #[arg(long, default_value = "A4")]
-    paper: Paper,
+    /// Paper, A4 to A0, landscape; without, the smallest that has room for the part in its true size or larger.
+    #[arg(long)]
+    paper: Option<Paper>,
     /// Scale, such as 2 for 2:1 or 0.5 for 1:2; the largest usual one that fits without.
     #[arg(long)]
     scale: Option<f64>,
@@ -42,8 +42,8 @@ pub(super) fn draw(args: &Draw) -> Outcome {
     let derived = derive(&open(&args.file, args.machine.as_deref(), &catalog)?, &catalog)?;
     complain(&derived.diagnostics);
     let choice = DrawingChoice { paper: args.paper, scale: args.scale };
-    let page = papers::drawing(&derived, choice).map_err(|d| vec![d])?;
-    write(&args.out, &[page])?;
+    let pages = papers::drawing(&derived, choice).map_err(|d| vec![d])?;
+    write(&args.out, &pages)?;
     Ok(if has_errors(&derived.diagnostics) { Ending::FoundErrors } else { Ending::Good })
 }
 

@@ -1,6 +1,7 @@
-//! A page as a DXF drawing in mm of paper.
+//! A page as a DXF drawing in mm.
 
 use super::page::{Align, Ink, Item, Page, Pen, Stroke};
+use super::view::View;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::geometry::{Point, Segment};
 use ::dxf::entities::{Arc, Entity, EntityType, Line, Text};
@@ -10,6 +11,9 @@ use ::dxf::{Color, Drawing};
 
 /// The page as a drawing: edges on layer `EDGES`, axes on `CENTRE`, dimensions and frame on `THIN`, texts on `TEXT`; arcs
 /// stay arcs, areas stay empty.
+///
+/// A page that shows a part to scale is written so that the part has its true size, with position 0 on the axis at the
+/// origin, frame and texts in proportion; any other page is in mm of paper.
 ///
 /// # Errors
 /// A diagnostic if the drawing cannot be written as text.
@@ -21,13 +25,15 @@ pub fn dxf(page: &Page) -> Result<String, Diagnostic> {
     for (name, color) in [("EDGES", 7), ("CENTRE", 1), ("THIN", 8), ("TEXT", 5)] {
         drawing.add_layer(Layer { name: name.to_owned(), color: Color::from_index(color), ..Layer::default() });
     }
+    let on_paper = View { origin: Point::new(0.0, 0.0), scale: 1.0 };
+    let view = page.part.unwrap_or(on_paper);
     for item in &page.items {
         match item {
             Item::Path { path, pen: Some(pen), .. } => {
-                path.segments.iter().for_each(|s| add(&mut drawing, layer(*pen), segment(s)));
+                path.segments.iter().for_each(|s| add(&mut drawing, layer(*pen), segment(s, &view)));
             }
             Item::Path { pen: None, .. } => {}
-            Item::Text { .. } => add(&mut drawing, "TEXT", text(item)),
+            Item::Text { .. } => add(&mut drawing, "TEXT", text(item, &view)),
         }
     }
     let mut bytes = Vec::new();
@@ -45,30 +51,32 @@ fn layer(pen: Pen) -> &'static str {
     }
 }
 
-fn point(p: Point) -> ::dxf::Point {
+fn point(p: Point, view: &View) -> ::dxf::Point {
+    let p = view.part_point(p);
     ::dxf::Point::new(p.z, p.r, 0.0)
 }
 
-fn segment(segment: &Segment) -> EntityType {
+fn segment(segment: &Segment, view: &View) -> EntityType {
     match *segment {
-        Segment::Line { start, end } => EntityType::Line(Line::new(point(start), point(end))),
+        Segment::Line { start, end } => EntityType::Line(Line::new(point(start, view), point(end, view))),
         Segment::Arc { start, end, center, ccw } => {
             let angle = |p: Point| (p.r - center.r).atan2(p.z - center.z).to_degrees().rem_euclid(360.0);
             // Arcs of a drawing always run counter-clockwise.
             let (from, to) = if ccw { (start, end) } else { (end, start) };
-            EntityType::Arc(Arc::new(point(center), start.distance(center), angle(from), angle(to)))
+            let radius = start.distance(center) / view.scale;
+            EntityType::Arc(Arc::new(point(center, view), radius, angle(from), angle(to)))
         }
     }
 }
 
-fn text(item: &Item) -> EntityType {
+fn text(item: &Item, view: &View) -> EntityType {
     let Item::Text { at, height_mm, align, upright, text, .. } = item else {
         return EntityType::Text(Text::default());
     };
     EntityType::Text(Text {
-        location: point(*at),
-        second_alignment_point: point(*at),
-        text_height: *height_mm,
+        location: point(*at, view),
+        second_alignment_point: point(*at, view),
+        text_height: *height_mm / view.scale,
         value: text.replace('Ø', "%%c").replace('°', "%%d"),
         rotation: if *upright { 90.0 } else { 0.0 },
         horizontal_text_justification: match align {

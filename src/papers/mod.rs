@@ -3,11 +3,13 @@
 //! A page is a list of lines, arcs and texts in mm on paper; writers turn the same page into PDF, SVG, DXF and HP-GL. No page
 //! knows the date, so that the same document always prints the same paper.
 
+mod body;
 mod drawing;
 mod dxf;
 mod file;
 mod font;
 mod frame;
+mod hatch;
 mod hpgl;
 mod labels;
 mod page;
@@ -25,3 +27,4 @@ pub use page::{Align, Ink, Item, Page, Paper, Pen, Stroke};
 pub use pdf::pdf;
 pub use setup_sheet::setup_sheets;
 pub use svg::svg;
+pub use view::View;

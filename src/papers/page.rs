@@ -1,5 +1,6 @@
 //! A page: lines, arcs and texts on paper.
 
+use super::view::View;
 use crate::geometry::{Contour, Point, Segment};
 
 /// A sheet of the ISO A series.
@@ -66,6 +67,8 @@ pub struct Page {
     pub title: String,
     /// What stands on it, in order of drawing.
     pub items: Vec<Item>,
+    /// How the part lies on it, where it shows one to scale; a DXF file has the part in its true size then.
+    pub part: Option<View>,
 }
 
 /// Something on a page.
@@ -168,11 +171,11 @@ impl Pen {
     /// Visible edges (ISO 128: 0.5 mm on A4 to A2).
     pub const EDGE: Self = Self { width_mm: 0.5, stroke: Stroke::Solid, ink: Ink::Black };
     /// Dimension and extension lines.
-    pub const THIN: Self = Self { width_mm: 0.18, stroke: Stroke::Solid, ink: Ink::Black };
+    pub const THIN: Self = Self { width_mm: 0.25, stroke: Stroke::Solid, ink: Ink::Black };
     /// Axes.
-    pub const CENTRE: Self = Self { width_mm: 0.18, stroke: Stroke::Centre, ink: Ink::Black };
+    pub const CENTRE: Self = Self { width_mm: 0.25, stroke: Stroke::Centre, ink: Ink::Black };
     /// Outlines of what is not the part.
-    pub const DASHED: Self = Self { width_mm: 0.18, stroke: Stroke::Dashed, ink: Ink::Black };
+    pub const DASHED: Self = Self { width_mm: 0.25, stroke: Stroke::Dashed, ink: Ink::Black };
 }
 
 impl Stroke {
@@ -191,7 +194,7 @@ impl Page {
     /// An empty page.
     #[must_use]
     pub fn new(width_mm: f64, height_mm: f64, title: &str) -> Self {
-        Self { width_mm, height_mm, title: title.to_owned(), items: Vec::new() }
+        Self { width_mm, height_mm, title: title.to_owned(), items: Vec::new(), part: None }
     }
 
     /// A line along `segments`.

@@ -1,5 +1,6 @@
 //! The setup sheet: what the operator needs beside the lathe, for one clamping.
 
+use super::body::Body;
 use super::font::fitted;
 use super::page::{Align, Ink, Page, Paper, Pen};
 use super::tool_picture;
@@ -219,8 +220,13 @@ impl Subject<'_> {
         let bar = |p: Point| {
             Contour::polygon(&[Point::new(shown.min.z, -p.r), Point::new(p.z, -p.r), p, Point::new(shown.min.z, p.r)])
         };
-        to.page.area(view.segments(&bar(shown.max)), Ink::Sand, Some(Pen::DASHED));
-        view.body(&mut to.page, &self.item.contour.contour);
+        to.page.area(view.segments(&bar(shown.max).segments), Ink::Sand, Some(Pen::DASHED));
+        let bore = self.item.bore.as_ref().as_ref().map(|b| b.contour.segments.as_slice()).unwrap_or_default();
+        let body = Body { view, outside: &self.item.contour.contour.segments, bore };
+        body.fill(&mut to.page, Ink::Pale);
+        body.edges(&mut to.page, &[]);
+        body.bore_lower(&mut to.page);
+        body.outlines(&mut to.page);
         view.axis(&mut to.page, min_z, shown.max.z);
         draw_zero(&mut to.page, view.place(Point::new(self.item.path.program_zero_z, 0.0)));
         to.r = low;

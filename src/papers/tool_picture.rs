@@ -37,7 +37,7 @@ pub(super) fn draw(page: &mut Page, tool: &ToolOutline, corner: Point, side: f64
 fn polygon_within(view: &View, outline: &Contour, boxed: Bounds) -> Vec<Point> {
     /// Largest distance of a chord from its arc, mm on paper.
     const CHORD_MM: f64 = 0.02;
-    let on_paper = Contour::new(view.segments(outline));
+    let on_paper = Contour::new(view.segments(&outline.segments));
     let mut points = on_paper.polyline(CHORD_MM);
     if points.first() == points.last() {
         points.pop();

@@ -1,0 +1,56 @@
+//! Scales of technical drawings (ISO 5455).
+
+use std::fmt::Write;
+
+/// A scale.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Scale {
+    /// mm on paper for one mm of the part.
+    pub(super) factor: f64,
+}
+
+const fn of(factor: f64) -> Scale {
+    Scale { factor }
+}
+
+/// The usual scales, the largest first.
+pub(super) const SCALES: [Scale; 12] = [
+    of(50.0),
+    of(20.0),
+    of(10.0),
+    of(5.0),
+    of(2.0),
+    of(1.0),
+    of(1.0 / 2.0),
+    of(1.0 / 5.0),
+    of(1.0 / 10.0),
+    of(1.0 / 20.0),
+    of(1.0 / 50.0),
+    of(1.0 / 100.0),
+];
+
+impl Scale {
+    /// `2:1`, `1:5`.
+    pub(super) fn name(self) -> String {
+        let larger = self.factor >= 1.0;
+        let figure = format!("{:.3}", if larger { self.factor } else { 1.0 / self.factor });
+        let figure = figure.trim_end_matches('0').trim_end_matches('.');
+        let mut name = String::new();
+        // Writing to a String cannot fail.
+        let _ = if larger { write!(name, "{figure}:1") } else { write!(name, "1:{figure}") };
+        name
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scales_are_named_as_drafters_do() {
+        let names = SCALES.map(Scale::name);
+        assert_eq!(names[..6], ["50:1", "20:1", "10:1", "5:1", "2:1", "1:1"]);
+        assert_eq!(names[6..], ["1:2", "1:5", "1:10", "1:20", "1:50", "1:100"]);
+        assert_eq!(of(2.5).name(), "2.5:1");
+    }
+}
