@@ -15,6 +15,7 @@ use turnwright::cancel::Cancel;
 use turnwright::document::{Content, Document, Generator};
 use turnwright::geometry::{Point, Vector};
 use turnwright::machine::{Catalog, Machine};
+use turnwright::part::{Section, SectionKind};
 use turnwright::post::{Header, Options, post};
 use turnwright::regen::{Cache, regenerate};
 use turnwright::storage::{document_from_text, examples};
@@ -239,6 +240,21 @@ fn examples_are_accepted_and_move_as_planned_and_as_instructed() {
         part.generator = Generator::Planned { separate_programs: false };
         judge_document(document, "planned");
     }
+}
+
+/// The bearing housing with threads outside and in its bore, of two starts.
+#[test]
+fn a_bored_and_threaded_part_is_accepted_and_moves_as_planned() {
+    if !is_installed() {
+        return;
+    }
+    let mut document = document_from_text("housing", include_str!("cases/parts/bearing-housing.turn")).unwrap();
+    let Content::TurnedPart(part) = &mut document.content;
+    part.machine = "linuxcnc".to_owned();
+    let thread = SectionKind::Thread { pitch: 1.5, starts: 2 };
+    part.sections[2] = Section { kind: thread.clone(), ..Section::line(3, 18.0, 52.0, 48.0, 50.16) };
+    part.bore[1] = Section { kind: thread, ..Section::line(6, 22.0, 40.376, 49.0, 42.0) };
+    judge_document(document, "planned");
 }
 
 #[test]

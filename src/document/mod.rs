@@ -3,6 +3,7 @@
 mod cycles;
 mod program;
 mod row;
+mod threading;
 
 use crate::diagnostic::SectionTable;
 use crate::part::Section;
@@ -12,6 +13,7 @@ pub use program::ProgramChoices;
 use row::{EndsRow, ParabolaCutRow};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
+pub use threading::{Infeed, ThreadChoices};
 
 /// Newest version of the document format that this program writes and reads.
 pub const FORMAT_VERSION: u32 = 1;
@@ -72,6 +74,9 @@ pub struct TurnedPart {
     /// Which generator makes the program.
     #[serde(default)]
     pub generator: Generator,
+    /// How planned threads are cut.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub threading: ThreadChoices,
     /// How the programs are written.
     #[serde(default, skip_serializing_if = "is_default")]
     pub program: ProgramChoices,
@@ -207,6 +212,7 @@ impl Default for TurnedPart {
             facing_allowance: 0.0,
             stock_bore_diameter: 0.0,
             generator: Generator::default(),
+            threading: ThreadChoices::default(),
             program: ProgramChoices::default(),
             form_tolerance: 0.0,
             sections: Vec::new(),

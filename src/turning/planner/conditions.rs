@@ -142,6 +142,11 @@ impl Conditions {
         self.limited(self.limited(cut, from), to)
     }
 
+    /// Radius of the part for a radius of the planner, mm.
+    pub(super) fn radius(&self, r: f64) -> f64 {
+        self.side.radius(r)
+    }
+
     /// The cut with no more feed than the spindle's power allows at a radius of the part, mm.
     fn limited(&self, cut: Cut, radius: f64) -> Cut {
         let (Some(power), Feed::PerRev(feed_mm_per_rev)) = (&self.power, cut.feed) else { return cut };

@@ -4,10 +4,13 @@ mod bore;
 mod drill;
 mod face;
 mod part_off;
+mod thread_passes;
+mod threads;
 
 use super::chain::Chain;
 use super::conditions::Conditions;
 use super::follow::Follow;
+use super::groove;
 use super::left::{self, Left};
 use super::link;
 use super::path::Path;
@@ -16,7 +19,6 @@ use super::side::Side;
 use super::tool::{Cutter, Use};
 use super::trace::ArcRules;
 use super::work::Work;
-use super::{groove, thread};
 use crate::diagnostic::{Diagnostic, Place, SectionTable, Severity};
 use crate::geometry::Point;
 use crate::machine::Machine;
@@ -104,7 +106,7 @@ impl<'a> Order<'a> {
         self.left(contour);
         self.bore(setup);
         if let Some(cutter) = threading.first() {
-            self.threads(setup, cutter);
+            self.threads(&setup.threads, cutter);
         }
         if setup.part_off_width.is_some() && !blades.is_empty() {
             self.part_off(setup, &blades);
@@ -227,20 +229,12 @@ impl<'a> Order<'a> {
             return;
         }
         let mut path = self.path(&conditions, cutter);
-        groove::cut(&mut path, &plunges, &limit, &self.work.air(cutter), self.datum.r);
+        let air = self.work.air(cutter);
+        groove::cut(&mut path, &plunges, &limit, &air, self.datum.r);
+        let walls = groove::walls(&self.work.limit(cutter, 0.0), &touch);
+        groove::cut_walls(&mut path, &walls, &air, self.datum.r);
         self.add(OperationKind::Groove, cutter, path);
         self.follow(OperationKind::Groove, cutter, TOOL_WORTH_MM);
-    }
-
-    fn threads(&mut self, setup: &Setup, cutter: &Cutter) {
-        let Some(conditions) = self.conditions(OperationKind::Thread, cutter.station) else { return };
-        let mut path = self.path(&conditions, cutter);
-        for spec in &setup.threads {
-            let (depth, row) = (conditions.depth, self.row(spec.section));
-            let said = thread::cut(&mut path, spec, &self.work, cutter, self.machine, depth, self.datum.r, row);
-            self.diagnostics.extend(said);
-        }
-        self.add(OperationKind::Thread, cutter, path);
     }
 
     /// Takes what was cut from the stock, brings the tool home and keeps the operation, if it does anything.
@@ -298,17 +292,18 @@ impl<'a> Order<'a> {
     }
 
     fn missing(&mut self, setup: &Setup, no_blade: bool, no_threading: bool) {
-        let mut say = |what: &str, tool: &str| {
-            let message = format!("The part has {what}, and {} has no {tool} in its turret.", self.machine.name);
-            self.diagnostics.push(
-                Diagnostic::warning("tool-missing", Place::Document, message).with_hint("Add the tool to the machine."),
-            );
-        };
         if no_threading && !setup.threads.is_empty() {
-            say("a thread", "threading tool");
+            self.lacks("a thread", "threading tool");
         }
         if no_blade && setup.part_off_width.is_some() {
-            say("to be parted off", "parting blade");
+            self.lacks("to be parted off", "parting blade");
         }
+    }
+
+    /// Says that a tool is missing.
+    fn lacks(&mut self, what: &str, tool: &str) {
+        let message = format!("The part has {what}, and {} has no {tool} in its turret.", self.machine.name);
+        let said = Diagnostic::warning("tool-missing", Place::Document, message);
+        self.diagnostics.push(said.with_hint("Add the tool to the machine."));
     }
 }

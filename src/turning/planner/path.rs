@@ -100,6 +100,12 @@ impl<'a> Path<'a> {
         rounds
     }
 
+    /// A threading pass to `to`; what it cuts is not taken from the stock, for the crest stays.
+    pub(super) fn thread(&mut self, pass: CutMove, to: Point) {
+        self.moves.push(pass);
+        self.at = to;
+    }
+
     /// A move that ends where it began, such as a thread.
     pub(super) fn push(&mut self, cycle: CutMove) {
         self.moves.push(cycle);

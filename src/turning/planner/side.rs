@@ -5,7 +5,8 @@
 
 use crate::geometry::{Contour, Point, Segment};
 use crate::machine::{ToolKind, ToolOutline};
-use crate::turning::{CutMove, Operation, OperationKind};
+use crate::part::ThreadSpec;
+use crate::turning::{CutMove, Operation, OperationKind, Recipe, RecipeKind, ThreadRecipe};
 
 /// How the planner's radii relate to those of the part.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,10 +77,29 @@ impl Side {
         Some(ToolOutline { kind, ..outline.upside_down() })
     }
 
+    /// A thread on the planner's radii.
+    pub(super) fn thread(self, spec: &ThreadSpec) -> ThreadSpec {
+        let (crest_radius, base_radius) = (self.radius(spec.crest_radius), self.radius(spec.base_radius));
+        ThreadSpec { crest_radius, base_radius, ..*spec }
+    }
+
     /// An operation on the part's radii.
     pub(super) fn operation(self, operation: Operation) -> Operation {
         let moves = operation.moves.into_iter().map(|m| self.cut_move(m)).collect();
-        Operation { moves, change: operation.change.map(|p| self.point(p)), ..operation }
+        let recipes = operation.recipes.into_iter().map(|r| self.recipe(r)).collect();
+        Operation { moves, recipes, change: operation.change.map(|p| self.point(p)), ..operation }
+    }
+
+    fn recipe(self, recipe: Recipe) -> Recipe {
+        let kind = match recipe.kind {
+            RecipeKind::Thread(thread) => RecipeKind::Thread(ThreadRecipe {
+                crest_radius: self.radius(thread.crest_radius),
+                root_radius: self.radius(thread.root_radius),
+                ..thread
+            }),
+            other => other,
+        };
+        Recipe { kind, ..recipe }
     }
 
     fn cut_move(self, cut_move: CutMove) -> CutMove {

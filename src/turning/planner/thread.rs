@@ -1,13 +1,10 @@
-//! Threads.
+//! Where threads begin and end.
 
 use super::chain::Chain;
-use super::link;
-use super::path::Path;
 use super::piece::{Piece, SAME_MM};
 use super::tool::Cutter;
 use super::work::Work;
 use crate::diagnostic::{Diagnostic, Place};
-use crate::geometry::Point;
 use crate::machine::Machine;
 use crate::part::ThreadSpec;
 use crate::turning::CutMove;
@@ -19,37 +16,49 @@ const RUN_IN_PITCHES: f64 = 1.0;
 /// Longest chamfer or rounding at the thread's beginning, in pitches, that the point passes on its way in.
 const LONGEST_LEAD_PITCHES: f64 = 2.0;
 
-/// The moves of one thread by the control's own cycle, and what is to be said about it.
-#[allow(
-    clippy::too_many_arguments,
-    reason = "a thread is cut from the part, the tool, the machine and the path so far"
-)]
-pub(super) fn cut(
-    path: &mut Path<'_>,
-    thread: &ThreadSpec,
-    work: &Work,
-    cutter: &Cutter,
-    machine: &Machine,
-    depth_per_cut: f64,
-    ceiling: f64,
-    row: Place,
-) -> Option<Diagnostic> {
-    let start = thread.z2 + run_in(thread, work, cutter);
-    let (to_z, said) = far_end(thread, work, cutter, start, row);
-    if to_z >= thread.z2 - SAME_MM {
-        return said;
+/// Where a thread is cut, on the planner's radii, mm.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Reach {
+    /// Where the tool starts.
+    pub(super) start: f64,
+    /// True if it goes down to the thread's depth there without cutting.
+    pub(super) in_air: bool,
+    /// Where the full depth ends.
+    pub(super) to_z: f64,
+    /// Length over which the thread runs out from there.
+    pub(super) run_out: f64,
+    /// What is to be said about it.
+    pub(super) said: Option<Diagnostic>,
+}
+
+impl Reach {
+    /// Finds where a thread begins and ends. Where no groove lets the tool out it runs out over `run_out` mm.
+    pub(super) fn of(thread: &ThreadSpec, work: &Work, cutter: &Cutter, run_out: f64, row: Place) -> Self {
+        let run_in = run_in(thread, work, cutter);
+        let start = thread.z2 + run_in;
+        let (end, said) = far_end(thread, work, cutter, start, row);
+        let beside = work.part.highest(thread.z1 - thread.pitch / 2.0, thread.z1 - SAME_MM);
+        let relieved = beside <= thread.base_radius + SAME_MM;
+        let run_out = if relieved { 0.0 } else { run_out.min((thread.z2 - end) / 2.0).max(0.0) };
+        Self { start, in_air: run_in > 0.0, to_z: end + run_out, run_out, said }
     }
-    let clear = Point::new(start, thread.crest_radius + machine.datum.radial_clearance_mm);
-    link::link(path, clear, &work.air(cutter), ceiling);
-    path.push(CutMove::Thread {
-        to_z,
+
+    /// True if there is no thread to be cut.
+    pub(super) fn is_empty(&self, thread: &ThreadSpec) -> bool {
+        self.to_z >= thread.z2 - SAME_MM
+    }
+}
+
+/// The thread by the control's own cycle, from the present point.
+pub(super) fn cycle(thread: &ThreadSpec, reach: &Reach, machine: &Machine, depth_per_cut: f64) -> CutMove {
+    CutMove::Thread {
+        to_z: reach.to_z,
         outside_radius: thread.crest_radius,
         base_radius: thread.base_radius,
         pitch: thread.pitch,
         depth_per_cut,
         rpm: rpm(machine, thread.pitch),
-    });
-    said
+    }
 }
 
 /// Speed for a pitch: the machine's feed for threads, never above its highest speed or its highest feed.

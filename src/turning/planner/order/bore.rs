@@ -4,6 +4,7 @@
 //! there is a wall behind the tool, too: how deep a bar goes is found from the hole as it is.
 
 use super::{FINISH_WORTH_MM, Order, TOOL_WORTH_MM};
+use crate::diagnostic::{Diagnostic, Place};
 use crate::geometry::{Point, Segment};
 use crate::machine::{Machine, ToolKind};
 use crate::part::{self, PartContour, Setup};
@@ -119,6 +120,7 @@ impl Order<'_> {
         inside.drill(&bore);
         inside.bars(bore.from_z);
         inside.left(&bore.contour);
+        inside.bore_threads(setup, bore.from_z);
         let (operations, said) = inside.done();
         self.operations.extend(operations.into_iter().map(|o| side.operation(o)));
         self.diagnostics.extend(said);
@@ -157,6 +159,28 @@ impl Order<'_> {
         self.work.from_z = from_z;
     }
 
+    /// Cuts the threads of the bore with the first bar for threads that comes in.
+    fn bore_threads(&mut self, setup: &Setup, from_z: f64) {
+        if setup.bore_threads.is_empty() {
+            return;
+        }
+        let bars: Vec<Cutter> = self.cutters.iter().filter(|c| c.r#use == Use::Thread).cloned().collect();
+        if bars.is_empty() {
+            self.lacks("a thread in its bore", "threading bar");
+            return;
+        }
+        for thread in &setup.bore_threads {
+            let reaches = |order: &mut Self, bar: &Cutter| {
+                order.comes_in(bar, from_z) && order.work.from_z - bar.bottom.0 <= thread.z1 + thread.pitch
+            };
+            match bars.iter().find(|bar| reaches(self, bar)) {
+                Some(bar) => self.threads(std::slice::from_ref(thread), bar),
+                None => self.diagnostics.push(not_threaded(self.row(thread.section), &self.machine.name)),
+            }
+        }
+        self.work.from_z = from_z;
+    }
+
     /// Finds how deep a bar can go into the hole as it is: with the way back from the wall that it cuts free, clear of the wall
     /// behind it, and with its sleeve in the open. That is where machining begins for it. False if it does not come in.
     pub(super) fn comes_in(&mut self, bar: &Cutter, from_z: f64) -> bool {
@@ -185,4 +209,10 @@ impl Order<'_> {
         self.datum.r = height(place);
         true
     }
+}
+
+fn not_threaded(row: Place, machine: &str) -> Diagnostic {
+    let message = format!("No threading bar of {machine} reaches the end of this thread; it is not cut.");
+    Diagnostic::warning("thread-not-reached", row, message)
+        .with_hint("Add a longer or thinner threading bar to the machine.")
 }
