@@ -23,6 +23,8 @@ pub(super) struct Body<'a> {
     pub(super) outside: &'a [Segment],
     /// Bore in the same order; empty without one.
     pub(super) bore: &'a [Segment],
+    /// How outlines and edges are drawn.
+    pub(super) pen: Pen,
 }
 
 impl Body<'_> {
@@ -45,11 +47,11 @@ impl Body<'_> {
     pub(super) fn outlines(&self, page: &mut Page) {
         let (Some(first), Some(last)) = (self.outside.first(), self.outside.last()) else { return };
         let (first, last) = (first.start(), last.end());
-        page.path(self.view.segments(self.outside), Pen::EDGE);
-        page.path(self.mirrored_on_paper(self.outside), Pen::EDGE);
+        page.path(self.view.segments(self.outside), self.pen);
+        page.path(self.mirrored_on_paper(self.outside), self.pen);
         for end in [first, last] {
             if end.r > SAME_MM {
-                page.line(self.view.place(end), self.view.place(below(end)), Pen::EDGE);
+                page.line(self.view.place(end), self.view.place(below(end)), self.pen);
             }
         }
     }
@@ -59,9 +61,18 @@ impl Body<'_> {
         if self.bore.is_empty() {
             return;
         }
-        page.path(self.mirrored_on_paper(self.bore), Pen::EDGE);
+        page.path(self.mirrored_on_paper(self.bore), self.pen);
         for corner in self.shown(corners(self.bore)) {
-            page.line(self.view.place(below(corner)), self.view.place(Point::new(corner.z, 0.0)), Pen::EDGE);
+            page.line(self.view.place(below(corner)), self.view.place(Point::new(corner.z, 0.0)), self.pen);
+        }
+    }
+
+    /// Draws the bore of both halves with its edges, as in a full section.
+    pub(super) fn bore_in_full(&self, page: &mut Page) {
+        page.path(self.view.segments(self.bore), self.pen);
+        page.path(self.mirrored_on_paper(self.bore), self.pen);
+        for corner in self.shown(corners(self.bore)) {
+            page.line(self.view.place(corner), self.view.place(below(corner)), self.pen);
         }
     }
 
@@ -72,7 +83,7 @@ impl Body<'_> {
         all.sort_by(|a, b| a.z.total_cmp(&b.z));
         for corner in self.shown(all) {
             let other = if self.bore.is_empty() { below(corner) } else { Point::new(corner.z, 0.0) };
-            page.line(self.view.place(corner), self.view.place(other), Pen::EDGE);
+            page.line(self.view.place(corner), self.view.place(other), self.pen);
         }
     }
 

@@ -37,6 +37,21 @@ pub(super) fn fitted(text: &str, height_mm: f64, width: f64) -> String {
     String::new()
 }
 
+/// `text` in lines of at most `width` mm, broken between words; a word that is wider is cut with an ellipsis.
+pub(super) fn wrapped(text: &str, height_mm: f64, width: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line) if width_mm(&format!("{line} {word}"), height_mm, false) <= width => {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(fitted(word, height_mm, width)),
+        }
+    }
+    if lines.is_empty() { vec![String::new()] } else { lines }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -47,5 +62,14 @@ mod tests {
         let short = fitted("A very long name of a part", 2.5, 20.0);
         assert!(short.ends_with('…') && width_mm(&short, 2.5, false) <= 20.0, "{short}");
         assert_eq!(fitted("KNOB", 2.5, 20.0), "KNOB");
+    }
+
+    #[test]
+    fn a_long_text_is_broken_between_its_words_and_none_is_lost() {
+        let text = "10.793 mm are left on bore line 1 at z 21.900";
+        let lines = wrapped(text, 2.5, 30.0);
+        assert!(lines.len() > 2 && lines.iter().all(|line| width_mm(line, 2.5, false) <= 30.0), "{lines:?}");
+        assert_eq!(lines.join(" "), text);
+        assert_eq!(wrapped("", 2.5, 30.0), [""]);
     }
 }

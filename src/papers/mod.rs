@@ -3,7 +3,9 @@
 //! A page is a list of lines, arcs and texts in mm on paper; writers turn the same page into PDF, SVG, DXF and HP-GL. No page
 //! knows the date, so that the same document always prints the same paper.
 
+mod arrow;
 mod body;
+mod crop;
 mod drawing;
 mod dxf;
 mod file;
@@ -12,6 +14,7 @@ mod frame;
 mod hatch;
 mod hpgl;
 mod labels;
+mod number;
 mod page;
 mod pdf;
 mod setup_sheet;

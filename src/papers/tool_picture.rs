@@ -1,24 +1,29 @@
 //! A tool in a box: its insert filled, its holder outlined.
 
+use super::crop::within;
 use super::page::{Ink, Page, Pen};
 use super::view::View;
-use crate::geometry::{Bounds, Contour, Point, Segment};
-use crate::machine::ToolOutline;
+use crate::geometry::{Bounds, Contour, Point};
+use crate::machine::{ToolKind, ToolOutline};
 
 /// Part of the box's side that stays free around the insert.
 const AIR: f64 = 0.15;
 /// The box shows this many times the insert's larger side.
 const AROUND: f64 = 1.9;
+/// The box shows this many times a drill's length.
+const AROUND_DRILL: f64 = 1.4;
 
 /// Draws the tool's cutting end into the square with its lower left corner at `corner` and this side, mm.
 pub(super) fn draw(page: &mut Page, tool: &ToolOutline, corner: Point, side: f64) {
     page.rectangle(corner, Point::new(corner.z + side, corner.r + side), Pen::THIN);
     let Some(insert) = tool.insert.bounds() else { return };
     let size = (insert.max.z - insert.min.z).max(insert.max.r - insert.min.r).max(f64::MIN_POSITIVE);
-    let shown = size * AROUND;
+    let drill = tool.kind == ToolKind::Drill;
+    let shown = size * if drill { AROUND_DRILL } else { AROUND };
     let scale = side / shown;
     let middle_z = f64::midpoint(insert.min.z, insert.max.z);
-    let low = insert.min.r - shown * AIR;
+    // A drill lies on the axis; of every other tool the insert is below its holder or at its end.
+    let low = if drill { -shown / 2.0 } else { insert.min.r - shown * AIR };
     let origin = Point::new(corner.z + side / 2.0 - middle_z * scale, corner.r - low * scale);
     let view = View { origin, scale };
     let boxed = Bounds { min: corner, max: Point::new(corner.z + side, corner.r + side) };
@@ -42,26 +47,7 @@ fn polygon_within(view: &View, outline: &Contour, boxed: Bounds) -> Vec<Point> {
     if points.first() == points.last() {
         points.pop();
     }
-    let points = cut(&points, |p| p.z - boxed.min.z);
-    let points = cut(&points, |p| boxed.max.z - p.z);
-    let points = cut(&points, |p| p.r - boxed.min.r);
-    cut(&points, |p| boxed.max.r - p.r)
-}
-
-/// The part of a polygon where `inside` is not negative (Sutherland and Hodgman, 1974).
-fn cut(polygon: &[Point], inside: impl Fn(Point) -> f64) -> Vec<Point> {
-    let next = polygon.iter().cycle().skip(1);
-    let mut kept = Vec::new();
-    for (&a, &b) in polygon.iter().zip(next) {
-        let (at_a, at_b) = (inside(a), inside(b));
-        if at_a >= 0.0 {
-            kept.push(a);
-        }
-        if (at_a >= 0.0) != (at_b >= 0.0) {
-            kept.push(Segment::line(a, b).point_at(at_a / (at_a - at_b)));
-        }
-    }
-    kept
+    within(&points, boxed)
 }
 
 #[cfg(test)]

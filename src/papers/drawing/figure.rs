@@ -1,5 +1,6 @@
 //! Figures of a drawing: lengths, chamfers and threads as a drafter writes them.
 
+use crate::papers::number::{number, shortened};
 use crate::part::{Parabola, ParabolaAxis, Section, SectionKind};
 use crate::units::{MM_PER_INCH, Unit};
 
@@ -9,17 +10,6 @@ const METRIC_OUTSIDE: f64 = 1.226_87;
 const METRIC_INSIDE: f64 = 1.082_53;
 /// Difference of a core diameter from the one of the standard that still makes the thread metric, as a share of the pitch.
 const METRIC_LIMIT: f64 = 0.06;
-
-/// A length of mm in the document's unit, without trailing zeros.
-pub(super) fn number(mm: f64, unit: Unit) -> String {
-    shortened(&format!("{:.*}", unit.decimals(), mm / unit.in_mm()))
-}
-
-/// A figure without trailing zeros and without a negative zero.
-fn shortened(text: &str) -> String {
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text };
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
-}
 
 /// `Ø 25.4` of a radius in mm.
 pub(super) fn diameter(radius_mm: f64, unit: Unit) -> String {
@@ -73,11 +63,7 @@ mod tests {
     }
 
     #[test]
-    fn lengths_lose_their_trailing_zeros_only() {
-        assert_eq!(number(12.3456, Unit::Mm), "12.346");
-        assert_eq!(number(100.0, Unit::Mm), "100");
-        assert_eq!(number(-0.0001, Unit::Mm), "0");
-        assert_eq!(number(25.4, Unit::Inch), "1");
+    fn diameters_and_chamfers_have_their_signs() {
         assert_eq!(diameter(12.7, Unit::Inch), "Ø 1");
         assert_eq!(chamfer(2.0, Unit::Mm), "2 × 45°");
     }

@@ -1,12 +1,12 @@
 //! The main view with its rows of figures at one scale on one sheet.
 
-use super::arrow;
 use super::figure;
 use super::marks::Mark;
 use super::row::{Place, Row, TEXT_MM};
 use super::subject::Subject;
 use super::zones::{self, Zone};
 use crate::geometry::{Bounds, Point, Segment, Vector};
+use crate::papers::arrow;
 use crate::papers::body::Body;
 use crate::papers::page::{Align, Page, Pen};
 use crate::papers::view::{View, mirrored};
@@ -121,7 +121,7 @@ impl Layout {
 /// The part: a view of a solid one, a half section of one with a bore.
 fn draw_part(page: &mut Page, subject: &Subject<'_>, view: View) {
     let bore: &[Segment] = subject.bore.as_ref().map(|b| b.segments.as_slice()).unwrap_or_default();
-    let body = Body { view, outside: &subject.outside.segments, bore };
+    let body = Body { view, outside: &subject.outside.segments, bore, pen: Pen::EDGE };
     if !bore.is_empty() {
         body.hatch_lower(page);
     }

@@ -3,6 +3,7 @@
 use super::figure;
 use super::outline::{Outline, SAME_MM, is_cylinder, is_face};
 use crate::geometry::{Point, Segment};
+use crate::papers::number::number;
 use crate::part::{Curve, Piece, PieceRole, Section};
 use crate::units::Unit;
 
@@ -76,7 +77,7 @@ pub(super) fn positions(outline: &Outline, unit: Unit) -> Vec<Mark> {
     let mut points: Vec<Point> = places.filter_map(|(before, after)| meeting_point(before, after)).collect();
     points.sort_by(|a, b| a.z.total_cmp(&b.z).then(b.r.total_cmp(&a.r)));
     points.dedup_by(|a, b| (a.z - b.z).abs() < SAME_MM);
-    points.into_iter().map(|at| Mark { at, line: Line::Extension, text: figure::number(at.z, unit) }).collect()
+    points.into_iter().map(|at| Mark { at, line: Line::Extension, text: number(at.z, unit) }).collect()
 }
 
 type Neighbours<'a> = (Option<&'a Piece>, Option<&'a Piece>);
@@ -95,7 +96,7 @@ fn surface(piece: &Piece, neighbours: Neighbours<'_>, source: Source<'_>) -> imp
         _ if is_cylinder(piece) => mark(middle, figure::diameter(start.r, source.unit)),
         _ if is_chamfer(piece, neighbours) => mark(middle, figure::chamfer(end.z - start.z, source.unit)),
         Curve::Segment(segment @ Segment::Arc { .. }) => {
-            let radius = figure::number(segment.radius().unwrap_or_default(), source.unit);
+            let radius = number(segment.radius().unwrap_or_default(), source.unit);
             mark(segment.point_at(0.5), format!("R {radius}"))
         }
         Curve::Segment(Segment::Line { .. }) => None,

@@ -5,7 +5,6 @@
 //! those of the outside above. Figures that would stand on one another are moved aside, with bent lines, and where even that is
 //! too crowded a detail at a larger scale follows on the next sheet.
 
-mod arrow;
 mod detail;
 mod figure;
 mod layout;
@@ -19,12 +18,12 @@ mod tests;
 mod zones;
 
 use super::frame::{self, Block, Field};
+use super::number::number;
 use super::page::{Page, Paper};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::geometry::{Bounds, Point};
 use crate::regen::Derived;
 use detail::Detail;
-use figure::number;
 use layout::{Layout, Unfit};
 use scale::{SCALES, Scale};
 use subject::Subject;

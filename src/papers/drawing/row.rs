@@ -1,9 +1,9 @@
 //! A row of figures beside a view, with the lines that lead to them.
 
-use super::arrow;
 use super::marks::{Line, Mark};
 use super::outline::SAME_MM;
 use crate::geometry::{Point, Segment, Vector};
+use crate::papers::arrow;
 use crate::papers::font;
 use crate::papers::labels::spread_within;
 use crate::papers::page::{Align, Page, Pen};

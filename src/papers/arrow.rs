@@ -1,7 +1,7 @@
 //! Arrow heads of dimension lines and leaders.
 
+use super::page::{Ink, Page};
 use crate::geometry::{Contour, Point, Vector};
-use crate::papers::page::{Ink, Page};
 
 /// Length of an arrow head, mm (ISO 129-1: in proportion to the text).
 pub(super) const LENGTH_MM: f64 = 2.5;
