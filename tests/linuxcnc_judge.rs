@@ -242,19 +242,37 @@ fn examples_are_accepted_and_move_as_planned_and_as_instructed() {
     }
 }
 
-/// The bearing housing with threads outside and in its bore, of two starts.
-#[test]
-fn a_bored_and_threaded_part_is_accepted_and_moves_as_planned() {
-    if !is_installed() {
-        return;
-    }
+/// The bearing housing with threads outside and in its bore.
+fn threaded_housing(starts: u32) -> Document {
     let mut document = document_from_text("housing", include_str!("cases/parts/bearing-housing.turn")).unwrap();
     let Content::TurnedPart(part) = &mut document.content;
     part.machine = "linuxcnc".to_owned();
-    let thread = SectionKind::Thread { pitch: 1.5, starts: 2 };
+    let thread = SectionKind::Thread { pitch: 1.5, starts };
     part.sections[2] = Section { kind: thread.clone(), ..Section::line(3, 18.0, 52.0, 48.0, 50.16) };
     part.bore[1] = Section { kind: thread, ..Section::line(6, 22.0, 40.376, 49.0, 42.0) };
-    judge_document(document, "planned");
+    document
+}
+
+#[test]
+fn a_bored_and_threaded_part_is_accepted_and_moves_as_planned() {
+    if is_installed() {
+        judge_document(threaded_housing(2), "planned");
+    }
+}
+
+#[test]
+fn a_planned_part_with_compensation_and_cycles_by_the_control_is_accepted() {
+    if !is_installed() {
+        return;
+    }
+    let mut document = threaded_housing(1);
+    let Content::TurnedPart(part) = &mut document.content;
+    part.program.canned_cycles = true;
+    part.program.compensated_by_control = true;
+    let derived = regenerate(&Arc::new(document), &catalog(), &mut Cache::default(), &Cancel::default()).unwrap();
+    let text = &derived.setups[0].programs[0].text;
+    assert!(["G41.1", "G42.1", "G76"].iter().all(|word| text.contains(word)), "{text}");
+    judge(text).unwrap_or_else(|e| panic!("{e}\n{text}"));
 }
 
 #[test]

@@ -268,6 +268,9 @@ impl Run<'_, '_> {
         if let Some(G::Compensate(side)) = codes.iter().find(|c| matches!(c, G::Compensate(_))) {
             self.compensate(*side)?;
         }
+        if let Some(G::CompensateBy(side)) = codes.iter().find(|c| matches!(c, G::CompensateBy(_))) {
+            self.compensate_by(*side, words)?;
+        }
         let machine_coordinates = codes.contains(&G::MachineCoordinates);
         let once = codes.iter().find(|c| c.group() == 11);
         match once {

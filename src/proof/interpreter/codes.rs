@@ -25,6 +25,8 @@ pub(super) enum G {
     Surface(bool),
     /// Nose radius compensation, with the tool on the left of the path or on the right; off.
     Compensate(Option<Side>),
+    /// The same with the nose's diameter and the tip's orientation in the block, D and L.
+    CompensateBy(Side),
     /// The present place gets these coordinates, or the speed this limit.
     Preset,
     /// The coordinates are what they were before presets.
@@ -127,6 +129,8 @@ fn linuxcnc(tenths: u32) -> Option<G> {
         70 => G::Diameter(true),
         80 => G::Diameter(false),
         330 => G::Motion(Motion::Thread),
+        411 => G::CompensateBy(Side::Left),
+        421 => G::CompensateBy(Side::Right),
         430 => G::ToolOffset(true),
         490 => G::ToolOffset(false),
         591..=593 => G::WorkOffset,
@@ -156,7 +160,7 @@ impl G {
             Self::ArcCenter(_) => 5,
             Self::PerRev(_) => 6,
             Self::Surface(_) => 7,
-            Self::Compensate(_) => 8,
+            Self::Compensate(_) | Self::CompensateBy(_) => 8,
             Self::WorkOffset => 9,
             Self::ToolOffset(_) => 10,
             Self::Dwell

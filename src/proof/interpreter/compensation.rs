@@ -6,6 +6,7 @@
 //! is the same. The first move ends, and the last one begins, square to the path.
 
 use super::Run;
+use super::block::Taken;
 use super::codes::Side;
 use crate::cancel::Cancelled;
 use crate::geometry::{Point, Segment, Vector};
@@ -81,6 +82,28 @@ impl Run<'_, '_> {
             return Ok(());
         }
         let setting = side.and_then(|side| self.setting(side));
+        self.compensate_from_here(setting)
+    }
+
+    /// G41.1 and G42.1 of LinuxCNC: the nose's diameter is D, and L says where the tool's point lies beside the nose's centre,
+    /// at the centre itself without it.
+    pub(super) fn compensate_by(&mut self, side: Side, words: &mut Taken<'_>) -> Result<(), Cancelled> {
+        let diameter = words.take('D').map_or(0.0, |d| self.mm(d));
+        let orientation = words.take('L').map_or(Some(0), |l| l.whole());
+        let Some(towards_nose) = orientation.and_then(towards_nose) else {
+            self.unreadable("L of a compensated nose is its tip's orientation, 0 to 9.".to_owned());
+            return Ok(());
+        };
+        if self.contour_only {
+            return Ok(());
+        }
+        let radius = diameter.abs() / 2.0;
+        let left = (side == Side::Left) != self.control.words.g2_is_ccw;
+        let setting = Setting { left, radius, nose: towards_nose * radius };
+        self.compensate_from_here(Some(setting).filter(|s| s.radius > 0.0))
+    }
+
+    fn compensate_from_here(&mut self, setting: Option<Setting>) -> Result<(), Cancelled> {
         if setting != self.compensation.on {
             self.end_compensation()?;
             self.compensation.on = setting;
@@ -187,6 +210,24 @@ impl Run<'_, '_> {
         let place = Place { program: self.program, block: waiting.block + 1 };
         self.sink.step(place.block, Step::Move { path, drive: waiting.drive, tool }, self.findings)
     }
+}
+
+/// The nose's centre from the tool's point, in nose radii, by LinuxCNC's number of the tip's orientation, whose picture has X
+/// pointing down.
+const fn towards_nose(orientation: u32) -> Option<Vector> {
+    let (z, r) = match orientation {
+        0 | 9 => (0.0, 0.0),
+        1 => (-1.0, 1.0),
+        2 => (1.0, 1.0),
+        3 => (1.0, -1.0),
+        4 => (-1.0, -1.0),
+        5 => (1.0, 0.0),
+        6 => (0.0, 1.0),
+        7 => (-1.0, 0.0),
+        8 => (0.0, -1.0),
+        _ => return None,
+    };
+    Some(Vector::new(z, r))
 }
 
 fn with_end(path: Segment, end: Point) -> Segment {

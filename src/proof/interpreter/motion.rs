@@ -40,7 +40,7 @@ impl Run<'_, '_> {
     }
 
     /// The length of an X or U word as a radius, positive away from the axis.
-    fn radius(&mut self, number: Number) -> f64 {
+    pub(super) fn radius(&mut self, number: Number) -> f64 {
         if self.control.machine.dialect == Dialect::Linuxcnc && !self.state.diameter_said {
             self.state.diameter_said = true;
             let taken = if self.state.diameter { "a diameter (G7)" } else { "a radius (G8)" };

@@ -156,9 +156,10 @@ impl Run<'_, '_> {
     fn thread_cycle_linuxcnc(&mut self, words: &mut Taken<'_>) -> Result<(), Cancelled> {
         let from = self.here();
         let to = self.target(words);
-        let crest = words.take('I').map_or(0.0, |i| self.mm(i));
-        let first = words.take('J').map_or(0.0, |j| self.mm(j));
-        let height = words.take('K').map_or(0.0, |k| self.mm(k));
+        // With G7 they are diameters, like X.
+        let crest = words.take('I').map_or(0.0, |i| self.radius(i));
+        let first = words.take('J').map_or(0.0, |j| self.radius(j));
+        let height = words.take('K').map_or(0.0, |k| self.radius(k));
         let degression = words.take('R').map_or(1.0, |r| r.plain());
         let flank = words.take('Q').map_or(0.0, |q| q.plain()).to_radians();
         let springs = words.take('H').and_then(|h| h.whole()).unwrap_or(0).min(99);

@@ -13,6 +13,7 @@
 //! | `trace`, `corner`, `path`, `link` | limits as paths that a control can take; moves; ways through air |
 //! | `rough`, `follow`, `groove`, `thread` | one kind of operation each |
 //! | `side` | a bore seen as an outside |
+//! | `recipes` | contours under finishing passes, for controls that compensate the nose |
 //! | `left` | what no tool could reach |
 //! | `conditions`, `order` | feeds, speeds, depths; which tool does what, and when |
 //! | `order/face`, `order/drill`, `order/bore`, `order/part_off` | facing of the free end; the bore; parting off |
@@ -30,6 +31,7 @@ mod order;
 mod outline;
 mod path;
 mod piece;
+mod recipes;
 mod rough;
 mod shape;
 mod side;
@@ -67,6 +69,7 @@ pub fn plan(task: &Task<'_>) -> (CutterPath, Vec<Diagnostic>) {
     if datum.is_finite() && !contour.contour.segments.is_empty() {
         order.plan(setup, &contour);
     }
-    let (operations, diagnostics) = order.done();
+    let (mut operations, diagnostics) = order.done();
+    recipes::add(task, datum, &mut operations);
     (CutterPath { datum, program_zero_z: zero_z, operations }, diagnostics)
 }

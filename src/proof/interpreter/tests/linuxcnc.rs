@@ -31,7 +31,7 @@ fn o_words_are_called() {
 #[test]
 fn the_thread_cycle_cuts_as_the_manual_says() {
     // Drive line at radius 12, crest 2 below it, 0.5 deep in cuts of 0.2 without degression, one spring pass.
-    let moves = path("G0 X24 Z5\nG76 P1.5 Z-20 I-2 J0.2 K0.5 H1");
+    let moves = path("G0 X24 Z5\nG76 P1.5 Z-20 I-4 J0.4 K1 H1");
     let passes: Vec<_> = moves.iter().filter(|m| m.0 == 't').map(|m| m.2).collect();
     assert_eq!(passes, [9.8, 9.6, 9.5, 9.5]);
     assert_eq!(moves.last(), Some(&('r', 5.0, 12.0)));
@@ -64,4 +64,15 @@ fn what_is_missing_is_said() {
         let said = said("linuxcnc", text);
         assert!(said.iter().any(|m| m.contains(what)), "{text}: {said:?}");
     }
+}
+
+#[test]
+fn a_nose_of_the_block_s_own_diameter_runs_beside_the_contour() {
+    // A cylinder of radius 10, turned and bored: the nose's centre ends square to the ends, the point is 0.8 beside it.
+    for words in ["G42.1 D1.6 L2", "G41.1 D1.6 L3"] {
+        let moves = path(&format!("G0 X20 Z5\n{words} G1 X20 Z2 F0.2\nZ-10\nG40 G0 Z5"));
+        assert_eq!(moves[1..3], [('l', 1.2, 10.0), ('l', -10.8, 10.0)], "{words}");
+    }
+    let said = said("linuxcnc", &format!("{HEAD}G0 X20 Z5\nG42.1 D1.6 L12 G1 X20 Z2 F0.2\nG40 M2"));
+    assert!(said.iter().any(|m| m.contains("orientation")), "{said:?}");
 }

@@ -127,7 +127,8 @@ impl Order<'_> {
     }
 
     /// Roughs with the bars, the strongest first, finishes with them, the finest first, and cuts grooves.
-    fn bars(&mut self, from_z: f64) {
+    fn bars(&mut self, bored_from_z: f64) {
+        let from_z = bored_from_z;
         let of = |wanted: fn(&Use) -> bool| -> Vec<Cutter> {
             let mut found: Vec<Cutter> = self.cutters.iter().filter(|c| wanted(&c.r#use)).cloned().collect();
             found.sort_by(|a, b| b.nose.total_cmp(&a.nose));
@@ -135,11 +136,15 @@ impl Order<'_> {
         };
         let (right, left) = (of(|u| *u == Use::Right), of(|u| *u == Use::Left));
         let blades = of(|u| matches!(u, Use::Blade { .. }));
+        // Where bars could rough; the hole is wider then, but what was not roughed is not finished.
+        let mut roughed = f64::INFINITY;
         for (k, bar) in right.iter().enumerate() {
             if self.comes_in(bar, from_z) {
                 self.rough(bar, if k == 0 { 0.0 } else { TOOL_WORTH_MM });
+                roughed = roughed.min(self.work.from_z);
             }
         }
+        let from_z = from_z.max(roughed);
         for (k, bar) in right.iter().rev().enumerate() {
             if self.comes_in(bar, from_z) {
                 self.finish(bar, if k == 0 { FINISH_WORTH_MM } else { TOOL_WORTH_MM });
@@ -156,7 +161,7 @@ impl Order<'_> {
                 self.groove(blade);
             }
         }
-        self.work.from_z = from_z;
+        self.work.from_z = bored_from_z;
     }
 
     /// Cuts the threads of the bore with the first bar for threads that comes in.
