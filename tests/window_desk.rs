@@ -9,6 +9,7 @@ use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use turnwright::app::{Action, Pane, Surroundings};
 use turnwright::diagnostic::Severity;
+use turnwright::part::Section;
 use turnwright::post::orac::{Instruction, compress};
 use turnwright::proof::BlockRef;
 use turnwright::session::{Hovered, Verdict};
@@ -116,6 +117,26 @@ fn a_problem_leads_to_its_cell() {
     window.click(&format!("{}: {}", problem.at, problem.message));
     let selected = window.session().selection.section;
     assert_eq!(selected, Some(window.session().part().sections[5].id));
+}
+
+#[test]
+fn of_many_problems_the_worst_are_listed_and_the_others_on_request() {
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    window.session().edit_part("spoil", None, |part| {
+        part.sections = (0..450).map(|row| Section::line(row + 1, 10.0, 90.0, 20.0, 95.0)).collect();
+    });
+    window.until_current();
+    let all = window.session().problems().len();
+    assert!(all > 400, "{all} problems");
+    window.click("Problems");
+    let listed = |window: &Window| window.harness.query_all_by_label_contains("⌀ 90").count();
+    let at_first = listed(&window);
+    assert!((1..=200).contains(&at_first), "{at_first} listed");
+    let more = format!("Show 200 more of the {} that are not listed", all - 200);
+    window.click(&more);
+    assert!(listed(&window) > at_first);
+    assert!(window.harness.query_by_label(&more).is_none());
 }
 
 #[test]

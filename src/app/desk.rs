@@ -283,7 +283,7 @@ impl Desk {
         egui::CentralPanel::default().frame(ground).show(ui, |ui| match &mut self.session {
             None => self.start.show(ui, &self.settings.recent, &self.recovered, &mut requests.actions),
             Some(session) => {
-                let problems = session.problems().iter().filter(|d| d.severity > Severity::Info).count();
+                let problems = session.problem_count(Severity::Error) + session.problem_count(Severity::Warning);
                 let badge = move |pane: Pane| (pane == Pane::Problems).then_some(problems);
                 let (views, transfer) = (&mut self.views, &mut self.transfer);
                 self.layout.ui(ui, &badge, &mut |ui, pane, titled| {

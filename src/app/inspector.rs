@@ -7,7 +7,7 @@ use super::sections::cells;
 use super::sections::tsv::COLUMNS;
 use super::theme::{self, Colors};
 use super::widgets::{choice, field, form_label, remark, title_row};
-use crate::diagnostic::{Column, Place, SectionTable};
+use crate::diagnostic::{Column, SectionTable};
 use crate::part::{Section, SectionKind};
 use crate::session::Session;
 use crate::units::Unit;
@@ -160,8 +160,7 @@ fn about(session: &Session, section: &Section, unit: Unit) -> String {
 }
 
 fn messages(session: &Session, id: u32) -> Vec<String> {
-    let about = |at: &Place| matches!(at, Place::Section { id: row, .. } if *row == id);
-    session.problems().iter().filter(|d| about(&d.at)).map(|d| d.message.clone()).collect()
+    session.problems_of_row(id).map(|d| d.message.clone()).collect()
 }
 
 fn of_part(ui: &mut Ui, session: &mut Session, requests: &Requests) {

@@ -14,13 +14,18 @@ pub(crate) struct ProblemsView {
     errors: bool,
     warnings: bool,
     remarks: bool,
+    /// At most so many.
+    most: usize,
 }
 
 impl Default for ProblemsView {
     fn default() -> Self {
-        Self { errors: true, warnings: true, remarks: true }
+        Self { errors: true, warnings: true, remarks: true, most: AT_ONCE }
     }
 }
+
+/// So many messages are listed at first and with every wish for more. Each of them is laid out in every frame.
+const AT_ONCE: usize = 200;
 
 /// Width of the column with the places, points.
 const PLACE: f32 = 132.0;
@@ -34,7 +39,7 @@ pub(crate) fn show(
     titled: bool,
 ) -> bool {
     let problems = session.problems();
-    let count = |severity| problems.iter().filter(|d| d.severity == severity).count();
+    let count = |severity| session.problem_count(severity);
     let dragged = super::widgets::title_row(ui, titled.then_some("Problems"), "", |ui| {
         let text = |n: usize, word: &str| format!("{n} {word}{}", if n == 1 { "" } else { "s" });
         toggle(ui, &mut view.remarks, &text(count(Severity::Info), "remark"));
@@ -52,11 +57,24 @@ pub(crate) fn show(
     };
     egui::ScrollArea::vertical().auto_shrink([false, false]).show(ui, |ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
-        for problem in problems.iter().filter(shown) {
+        let mut wanted = problems.iter().filter(shown);
+        for problem in wanted.by_ref().take(view.most) {
             row(ui, problem, requests);
         }
+        more(ui, &mut view.most, wanted.count());
     });
     dragged
+}
+
+/// Says how many messages are not listed, and lists more of them on a click.
+fn more(ui: &mut Ui, most: &mut usize, left: usize) {
+    if left > 0 {
+        ui.add_space(6.0);
+        let text = format!("Show {} more of the {left} that are not listed", left.min(AT_ONCE));
+        if ui.button(text).clicked() {
+            *most += AT_ONCE;
+        }
+    }
 }
 
 fn clean(ui: &mut Ui, session: &Session) {

@@ -2,15 +2,17 @@
 
 mod history;
 mod light;
+mod problems;
 
-use crate::diagnostic::{Diagnostic, Place, Severity};
+use crate::diagnostic::{Diagnostic, Severity};
 use crate::document::{Content, Document, TurnedPart};
-use crate::proof::{Finding, FindingKind, ProgramText, ProofReport};
+use crate::proof::{FindingKind, ProgramText, ProofReport};
 use crate::regen::{Derived, Operations, SetupDerived};
 use crate::worker::{Outcome, Regenerate, Worker};
 pub use history::{GestureId, History};
 use light::Light;
 pub use light::{Hovered, Lit};
+use problems::Problems;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -94,7 +96,7 @@ pub struct Session {
     derived: Option<Arc<Derived>>,
     took: Duration,
     fault: Option<(Arc<Document>, String)>,
-    problems: Arc<Vec<Diagnostic>>,
+    problems: Problems,
     light: Light,
     /// What is selected.
     pub selection: Selection,
@@ -130,7 +132,7 @@ impl Session {
             derived: None,
             took: Duration::ZERO,
             fault: None,
-            problems: Arc::default(),
+            problems: Problems::default(),
             light: Light::default(),
             selection: Selection::default(),
         }
@@ -277,7 +279,8 @@ impl Session {
             }
         }
         if some {
-            self.problems = Arc::new(self.collect_problems());
+            let fault = self.fault.as_ref().map(|(_, message)| message.as_str());
+            self.problems = Problems::collect(fault, self.derived.as_deref());
             self.keep_selection_in_range();
             self.light.forget();
         }
@@ -372,23 +375,19 @@ impl Session {
 
     /// All that is to be said about the document and its programs, worst first.
     #[must_use]
-    pub const fn problems(&self) -> &Arc<Vec<Diagnostic>> {
-        &self.problems
+    pub fn problems(&self) -> &[Diagnostic] {
+        self.problems.all()
     }
 
-    fn collect_problems(&self) -> Vec<Diagnostic> {
-        let mut all: Vec<Diagnostic> = Vec::new();
-        if let Some((_, message)) = &self.fault {
-            let text = format!("The program stopped while it worked on this document: {message}.");
-            let hint = "Undo the last edit. The document is safe and can be saved.";
-            all.push(Diagnostic::error("regeneration-fault", Place::Document, text).with_hint(hint));
-        }
-        if let Some(derived) = &self.derived {
-            all.extend(derived.diagnostics.iter().cloned());
-            all.extend(derived.setups.iter().flat_map(|s| s.proof.findings.iter().map(as_diagnostic)));
-        }
-        all.sort_by_key(|d| std::cmp::Reverse(d.severity));
-        all
+    /// Those of [`Self::problems`] that are about a row of the section tables, worst first.
+    pub fn problems_of_row(&self, id: u32) -> impl Iterator<Item = &Diagnostic> {
+        self.problems.of_row(id)
+    }
+
+    /// How many of [`Self::problems`] are of this severity.
+    #[must_use]
+    pub fn problem_count(&self, severity: Severity) -> usize {
+        self.problems.count(severity)
     }
 
     /// What the proofs say of the document as it is now.
@@ -397,7 +396,7 @@ impl Session {
         let (Some(derived), true) = (&self.derived, self.is_current()) else {
             return if self.fault.is_some() { Verdict::Failed { errors: 1 } } else { Verdict::Pending };
         };
-        let errors = self.problems.iter().filter(|d| d.severity == Severity::Error).count();
+        let errors = self.problem_count(Severity::Error);
         if errors > 0 {
             return Verdict::Failed { errors };
         }
@@ -454,11 +453,6 @@ impl Session {
     pub const fn set_recovered(&mut self) {
         self.edited_at = None;
     }
-}
-
-fn as_diagnostic(finding: &Finding) -> Diagnostic {
-    let at = Place::Block { program: finding.program.clone(), block: finding.block };
-    Diagnostic::new(finding.severity, code_of(finding.kind), at, finding.message.clone())
 }
 
 /// Stable short name of a kind of finding.

@@ -177,10 +177,10 @@ impl Frame<'_> {
             painter.rect_filled(mark, 0.0, self.colors.plot.accent);
         }
         painter.hline(rect.x_range(), rect.bottom(), Stroke::new(1.0, self.colors.line.gamma_multiply(0.7)));
-        let (font, color) = match (row_mark(session, section.id), selected) {
-            (Some(_), _) => (theme::strong_font(theme::TEXT), self.colors.plot.wrong),
-            (None, true) => (theme::strong_font(theme::TEXT), self.colors.plot.accent),
-            (None, false) => (FontId::proportional(theme::TEXT), self.colors.plot.construction),
+        let (font, color) = match (is_wrong(session, section.id), selected) {
+            (true, _) => (theme::strong_font(theme::TEXT), self.colors.plot.wrong),
+            (false, true) => (theme::strong_font(theme::TEXT), self.colors.plot.accent),
+            (false, false) => (FontId::proportional(theme::TEXT), self.colors.plot.construction),
         };
         let at = egui::pos2(rect.left() + NUMBERS - 5.0, rect.center().y);
         painter.text(at, Align2::RIGHT_CENTER, (row + 1).to_string(), font, color);
@@ -375,15 +375,13 @@ fn context_menu(response: &Response, view: &mut SectionsView, session: &mut Sess
 
 /// The worst message about a cell.
 fn cell_mark(session: &Session, id: u32, column: Column) -> Option<String> {
-    let about =
-        |at: &Place| matches!(at, Place::Section { id: row, column: Some(c), .. } if *row == id && *c == column);
-    let found = session.problems().iter().find(|d| d.severity >= Severity::Warning && about(&d.at))?;
+    let about = |at: &Place| matches!(at, Place::Section { column: Some(c), .. } if *c == column);
+    let found = session.problems_of_row(id).find(|d| d.severity >= Severity::Warning && about(&d.at))?;
     let hint = found.hint.as_ref().map(|hint| format!("\n{hint}")).unwrap_or_default();
     Some(format!("{}{hint}", found.message))
 }
 
-/// The worst message about a row as a whole or any of its cells.
-fn row_mark(session: &Session, id: u32) -> Option<&str> {
-    let about = |at: &Place| matches!(at, Place::Section { id: row, .. } if *row == id);
-    session.problems().iter().find(|d| d.severity == Severity::Error && about(&d.at)).map(|d| d.message.as_str())
+/// True if there is an error in a row as a whole or in any of its cells.
+fn is_wrong(session: &Session, id: u32) -> bool {
+    session.problems_of_row(id).any(|d| d.severity == Severity::Error)
 }
