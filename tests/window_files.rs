@@ -9,6 +9,7 @@ use common::Window;
 use egui::{DroppedFile, Event, Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use turnwright::session::Verdict;
 use turnwright::storage::{export, open_document};
 
 /// A file as a file manager hands it over.
@@ -124,6 +125,58 @@ fn dropping_a_file_on_unsaved_work_asks_first() {
     window.click("Do not save");
     window.until_current();
     assert_eq!(window.session().document().name, "MASTER");
+}
+
+#[test]
+fn a_dropped_program_is_proved_on_the_open_part_and_undone() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    let own = window.session().program().unwrap().clone();
+    common::change_one_z(&mut window);
+    let path = folder.path().join("from-the-lathe.cnc");
+    std::fs::write(&path, &window.session().program().unwrap().text).unwrap();
+    window.session().undo();
+    window.until_current();
+    drop_on(&mut window, &path);
+    window.until_current();
+    let shown = window.session().program().unwrap().clone();
+    assert_eq!(shown.text, std::fs::read_to_string(&path).unwrap());
+    assert!(shown.edited && shown.text != own.text);
+    assert!(matches!(window.session().verdict(), Verdict::Failed { .. }));
+    assert_eq!(window.session().document().name, "QUEEN");
+    window.session().undo();
+    window.until_current();
+    assert_eq!(window.session().program().unwrap().text, own.text);
+}
+
+#[test]
+fn a_program_of_instructions_is_opened_as_pages_by_the_menu() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("typed.anc");
+    std::fs::write(&path, "  1  INC\n  2  MM\n").unwrap();
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    window.click("File");
+    window.click("Open program…");
+    type_path(&mut window, &path);
+    window.until_current();
+    let text = &window.session().program().unwrap().text;
+    assert!(text.contains("END-PROGRAM") && text.contains("MM-UNITS"), "{text:?}");
+}
+
+#[test]
+fn a_program_that_cannot_be_read_leaves_the_one_that_is_shown() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("letter.anc");
+    std::fs::write(&path, "Dear Sir,\n").unwrap();
+    let mut window = Window::open();
+    drop_on(&mut window, &path);
+    assert!(window.desk().session_mut().is_none(), "a program alone is no part");
+    window.open_example("QUEEN");
+    drop_on(&mut window, &path);
+    assert!(window.session().part().overrides.is_empty());
+    assert_eq!(window.session().history().undo_label(), None);
 }
 
 #[test]

@@ -47,6 +47,10 @@ pub enum Action {
     SaveAs,
     /// Ask for a file to open or import.
     AskOpen,
+    /// Ask for the file of a program that takes the place of the program shown.
+    AskOpenProgram,
+    /// Put the program of a file in the place of the program that is shown.
+    OpenProgram(PathBuf),
     /// Ask for a file to export to.
     AskExport,
     /// Ask for a file to save this text in, which is a program by this name.

@@ -8,11 +8,11 @@ use super::files::Written;
 use super::layout::{Layout, Pane};
 use crate::diagnostic::Place;
 use crate::document::{Content, Document, Ends, FORMAT_VERSION, TurnedPart};
-use crate::machine::Catalog;
+use crate::machine::{Catalog, Dialect};
 use crate::part::Section;
 use crate::proof::BlockRef;
 use crate::session::{Origin, Session};
-use crate::storage;
+use crate::storage::{self, read_pages, read_program};
 use crate::units::Unit;
 use egui::{Context, ViewportCommand};
 use std::path::{Path, PathBuf};
@@ -21,7 +21,7 @@ use std::sync::Arc;
 /// Files that the start page offers.
 const RECENT_KEPT: usize = 8;
 /// Ending of a file of ORAC pages.
-const PROGRAM_ENDING: &str = "cnc";
+const PAGES_ENDING: &str = "cnc";
 /// Machine of a part whose file names none.
 const FIRST_MACHINE: &str = "orac";
 
@@ -59,6 +59,8 @@ impl Desk {
             Action::SaveAs => self.ask_file(ctx, Purpose::SaveAs, "turn"),
             Action::AskExport => self.ask_file(ctx, Purpose::Export, "dxf"),
             Action::AskOpen => self.ask_file(ctx, Purpose::Open, ""),
+            Action::AskOpenProgram => self.ask_file(ctx, Purpose::OpenProgram, ""),
+            Action::OpenProgram(path) => self.open_program(&path),
             Action::AskSaveProgram { name, text } => self.ask_program_file(ctx, &name, text),
             Action::WriteText(path, text) => self.files.write_text(path, text),
             Action::WriteTo(path) => self.write(path),
@@ -97,6 +99,26 @@ impl Desk {
                 self.remember_file(path);
                 self.open_document(ctx, document, origin);
                 self.say_all(&remarks);
+            }
+            Err(reasons) => self.say_all(&reasons),
+        }
+    }
+
+    /// Puts the program of a file in the place of the program that is shown: one step of undo.
+    fn open_program(&mut self, path: &Path) {
+        let shown = self.session.as_ref().and_then(Session::program).map(|program| program.name.clone());
+        let (Some(session), Some(name)) = (&mut self.session, shown) else {
+            self.say("A program is shown and proved on a part. Open a part first, and let its own program be made.");
+            return;
+        };
+        let in_pages = session.derived().and_then(|d| d.machine.as_ref()).is_some_and(|m| m.dialect == Dialect::Orac);
+        let text = if in_pages { read_pages(path) } else { read_program(path).map_err(|d| vec![d]) };
+        match text {
+            Ok(text) => {
+                let file = path.file_name().unwrap_or_default().to_string_lossy();
+                let label = format!("{file} as {name}");
+                session.edit_part(&label, None, |part| _ = part.overrides.insert(name, text));
+                self.layout.bring_to_front(Pane::Program);
             }
             Err(reasons) => self.say_all(&reasons),
         }
@@ -145,7 +167,7 @@ impl Desk {
         let name = self.session.as_ref().map(|s| s.document().name.to_lowercase());
         let present = self.session.as_ref().and_then(|s| s.path().map(Path::to_owned));
         let path = match purpose {
-            Purpose::Open | Purpose::Program(_) => PathBuf::new(),
+            Purpose::Open | Purpose::OpenProgram | Purpose::Program(_) => PathBuf::new(),
             Purpose::SaveAs | Purpose::Export => {
                 present.or(name.map(PathBuf::from)).unwrap_or_default().with_extension(ending)
             }
@@ -156,7 +178,9 @@ impl Desk {
 
     fn ask_program_file(&mut self, ctx: &Context, name: &str, text: Arc<str>) {
         let folder = self.session.as_ref().and_then(|s| s.path().and_then(Path::parent)).unwrap_or(Path::new(""));
-        let path = folder.join(name).with_extension(PROGRAM_ENDING);
+        let machine = self.session.as_ref().and_then(Session::derived).and_then(|d| d.machine.as_ref());
+        let ending = machine.and_then(|m| m.words.as_ref()).map_or(PAGES_ENDING, |words| words.extension.as_str());
+        let path = folder.join(name).with_extension(ending);
         let system = self.surroundings.system_dialogs;
         self.dialog = Some(Dialog::File(FileDialog::ask(ctx, Purpose::Program(text), &path, system)));
     }

@@ -17,8 +17,8 @@ use crate::diagnostic::{Diagnostic, Severity};
 use crate::machine::Catalog;
 use crate::proof::BlockRef;
 use crate::session::{GestureId, Hovered, Session};
-use crate::storage;
 use crate::storage::recovery::Recovered;
+use crate::storage::{self, is_program};
 use crate::transfer::{Outcome, Progress};
 use egui::{Context, Margin, Panel, Ui, ViewportCommand};
 use egui_notify::{Toast, ToastLevel, Toasts};
@@ -224,12 +224,17 @@ impl Desk {
             super::shortcuts::read(ui, &mut requests.actions);
         }
         let dropped = ui.input(|i| i.raw.dropped_files.first().map(|file| file.path().to_owned()));
-        requests.actions.extend(dropped.map(Action::Open));
+        requests.actions.extend(dropped.map(|path| self.open_dropped(path)));
         self.frame(ui, &mut requests);
         self.dialogs(&ctx, &mut requests.actions);
         self.toasts.show(&ctx);
         self.finish(&ctx, requests);
         self.name_window(&ctx);
+    }
+
+    /// A program is dropped on the part that it makes; everything else is a part of its own.
+    fn open_dropped(&self, path: PathBuf) -> Action {
+        if self.session.is_some() && is_program(&path) { Action::OpenProgram(path) } else { Action::Open(path) }
     }
 
     /// Shows the open question. One that is closed without an answer also ends what was to follow a save.

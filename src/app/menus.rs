@@ -58,6 +58,9 @@ fn file(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) {
         if item(ui, "Open or import…", Some(&shortcuts::OPEN), true) {
             requests.actions.push(Action::AskOpen);
         }
+        if item(ui, "Open program…", None, session.and_then(Session::program).is_some()) {
+            requests.actions.push(Action::AskOpenProgram);
+        }
         ui.separator();
         if item(ui, "Save", Some(&shortcuts::SAVE), session.is_some()) {
             requests.actions.push(Action::Save);

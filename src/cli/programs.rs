@@ -1,9 +1,8 @@
 //! `convert` for ORAC programs: instructions to pages and back, and the published shortening.
 
-use super::prove::read_program;
 use std::path::Path;
 use turnwright::diagnostic::{Diagnostic, Place, has_errors};
-use turnwright::post::orac::{Instruction, compress, instructions_text, optimize, pages_text, parse_instructions};
+use turnwright::post::orac::{compress, instructions_text, optimize, parse_instructions};
 use turnwright::storage;
 
 /// The three forms of an ORAC program, by file extension.
@@ -40,25 +39,17 @@ pub(super) fn convert(input: &Path, output: &Path) -> Result<(), Vec<Diagnostic>
         let message = "A program can be converted to .anc, .bnc or .cnc only.";
         return Err(vec![Diagnostic::error("conversion", at(output), message)]);
     };
-    let program = read_program(input).map_err(|d| vec![d])?;
+    let program = storage::read_program(input).map_err(|d| vec![d])?;
     let name = input.display().to_string();
     let (instructions, diagnostics) =
-        if from == Form::Pages { compress(&program.text, &name) } else { parse_instructions(&program.text, &name) };
+        if from == Form::Pages { compress(&program, &name) } else { parse_instructions(&program, &name) };
     if has_errors(&diagnostics) {
         return Err(diagnostics);
     }
     let text = match (from, to) {
-        (_, Form::Pages) => pages_text(&ended(instructions)),
+        (_, Form::Pages) => storage::assembled(instructions),
         (Form::Generated, Form::Optimized) => instructions_text(&optimize(&instructions)),
         _ => instructions_text(&instructions),
     };
     storage::replace_file(output, text.as_bytes()).map_err(|d| vec![d])
-}
-
-/// The instructions with the END that a program for the lathe needs.
-fn ended(mut instructions: Vec<Instruction>) -> Vec<Instruction> {
-    if !instructions.contains(&Instruction::End) {
-        instructions.push(Instruction::End);
-    }
-    instructions
 }

@@ -11,6 +11,7 @@ use turnwright::diagnostic::{Diagnostic, Place};
 use turnwright::machine::{Catalog, Dialect, Machine, outlines};
 use turnwright::proof::{self, Change, ProgramText, ProofInput, ProofReport};
 use turnwright::regen::{self, Derived, SetupDerived};
+use turnwright::storage;
 
 /// Read programs as the lathe would and say what is wrong.
 #[derive(Debug, Args)]
@@ -74,20 +75,10 @@ pub(super) fn input_for_machine(machine: &Machine, catalog: &Catalog) -> ProofIn
     }
 }
 
+/// The program in a file, by the file's name.
 pub(super) fn read_program(path: &Path) -> Result<ProgramText, Diagnostic> {
-    /// More than any control holds; keeps a wrong file from filling the memory.
-    const LARGEST_PROGRAM_BYTES: u64 = 64 * 1024 * 1024;
-    let at = || Place::File { file: path.display().to_string() };
-    let unreadable =
-        |e: &std::io::Error| Diagnostic::error("cannot-read", at(), format!("The program cannot be read: {e}."));
-    let size = std::fs::metadata(path).map_err(|e| unreadable(&e))?.len();
-    if size > LARGEST_PROGRAM_BYTES {
-        let message = format!("The file has {size} bytes; a program may have {LARGEST_PROGRAM_BYTES} bytes at most.");
-        return Err(Diagnostic::error("file-too-large", at(), message));
-    }
-    let bytes = std::fs::read(path).map_err(|e| unreadable(&e))?;
     let name = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();
-    Ok(ProgramText { name, text: String::from_utf8_lossy(&bytes).into_owned(), edited: true })
+    Ok(ProgramText { name, text: storage::read_program(path)?, edited: true })
 }
 
 fn derive_part(file: &Path, machine: &Machine, catalog: &Catalog) -> Result<Derived, Vec<Diagnostic>> {

@@ -1,4 +1,4 @@
-//! Documents on disk, recovery files, imports and exports.
+//! Documents on disk, programs on disk, recovery files, imports and exports.
 
 mod check;
 mod document;
@@ -7,12 +7,14 @@ pub mod export;
 mod folders;
 pub mod import;
 mod locate;
+mod program;
 pub mod recovery;
 
 pub use crate::replace::replace_file;
 pub use document::{document_from_text, document_to_text, open_document, save_document};
 pub use examples::{Example, examples};
 pub use folders::{config_folder, data_folder};
+pub use program::{assembled, is_program, read_pages, read_program};
 
 use std::path::{Path, PathBuf};
 

@@ -13,6 +13,8 @@ use std::sync::mpsc::{Receiver, TryRecvError, channel};
 pub(crate) enum Purpose {
     /// Open a document or import a part.
     Open,
+    /// Take a program from a file in place of the one that is shown.
+    OpenProgram,
     /// Save the document.
     SaveAs,
     /// Write the part as another kind of file.
@@ -25,6 +27,7 @@ impl Purpose {
     const fn title(&self) -> &'static str {
         match self {
             Self::Open => "Open or import a part",
+            Self::OpenProgram => "Open a program",
             Self::SaveAs => "Save as",
             Self::Export => "Export",
             Self::Program(_) => "Save the program",
@@ -34,15 +37,16 @@ impl Purpose {
     const fn remark(&self) -> &'static str {
         match self {
             Self::Open => "Documents (.turn), ORACAP parts (.CAD), profiles (.dxf), section tables (.tsv).",
+            Self::OpenProgram => "It takes the place of the program shown and is proved on this part.",
             Self::SaveAs => "A document ends in .turn.",
             Self::Export => "The kind goes by the ending: .CAD, .dxf, .svg, .csv or .tsv.",
-            Self::Program(_) => "The pages with their control characters, as they go over the line.",
+            Self::Program(_) => "The program with its control characters, as it goes over the line.",
         }
     }
 
     const fn verb(&self) -> &'static str {
         match self {
-            Self::Open => "Open",
+            Self::Open | Self::OpenProgram => "Open",
             Self::SaveAs | Self::Program(_) => "Save",
             Self::Export => "Export",
         }
@@ -50,7 +54,7 @@ impl Purpose {
 
     const fn kind(&self) -> &'static str {
         match self {
-            Self::Program(_) => "Programs",
+            Self::Program(_) | Self::OpenProgram => "Programs",
             Self::Open | Self::SaveAs | Self::Export => "Parts",
         }
     }
@@ -58,9 +62,10 @@ impl Purpose {
     const fn endings(&self) -> &'static [&'static str] {
         match self {
             Self::Open => &["turn", "cad", "CAD", "dxf", "DXF", "tsv"],
+            Self::OpenProgram => &["nc", "NC", "ngc", "cnc", "CNC", "tap", "txt", "anc", "bnc"],
             Self::SaveAs => &["turn"],
             Self::Export => &["CAD", "dxf", "svg", "csv", "tsv"],
-            Self::Program(_) => &["cnc", "CNC", "txt"],
+            Self::Program(_) => &["nc", "ngc", "cnc", "CNC", "txt"],
         }
     }
 }
@@ -96,7 +101,8 @@ impl FileDialog {
             if let Some(name) = start.file_name() {
                 dialog = dialog.set_file_name(name.to_string_lossy());
             }
-            let path = if purpose == Purpose::Open { dialog.pick_file() } else { dialog.save_file() };
+            let opens = matches!(purpose, Purpose::Open | Purpose::OpenProgram);
+            let path = if opens { dialog.pick_file() } else { dialog.save_file() };
             // The window may be gone by now; then nobody waits for the answer.
             let _ = sender.send(path);
             ctx.request_repaint();
@@ -159,6 +165,7 @@ impl FileDialog {
         }
         actions.push(match &self.purpose {
             Purpose::Open => Action::Open(path),
+            Purpose::OpenProgram => Action::OpenProgram(path),
             Purpose::SaveAs => Action::WriteTo(with_ending(path, "turn")),
             Purpose::Export => Action::WriteTo(path),
             Purpose::Program(text) => Action::WriteText(path, Arc::clone(text)),
