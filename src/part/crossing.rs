@@ -2,6 +2,7 @@
 
 use super::Curve;
 use super::shape::SAME_PLACE_MM;
+use crate::geometry::Segment;
 
 /// A range is divided no further than this many times; two crossings within 1/4096 of an overlap go unseen, which
 /// changes the outside by less than the curves differ between them.
@@ -21,9 +22,15 @@ pub(super) fn crossings(a: &Curve, b: &Curve) -> Vec<f64> {
     let mut stops = vec![from, to];
     stops.extend([a, b].iter().filter_map(|c| c.turning_point_z()).filter(|&z| from < z && z < to));
     stops.sort_by(f64::total_cmp);
+    // A row that was pasted twice would be divided all the way; two straight lines differ by a straight line.
+    let depth = match (a, b) {
+        _ if a == b => return Vec::new(),
+        (Curve::Segment(Segment::Line { .. }), Curve::Segment(Segment::Line { .. })) => 0,
+        _ => DEEPEST,
+    };
     let mut samples = Vec::new();
     for (&z1, &z2) in stops.iter().zip(stops.iter().skip(1)) {
-        sample(a, b, z1, z2, DEEPEST, &mut samples);
+        sample(a, b, z1, z2, depth, &mut samples);
     }
     let difference = |z: f64| a.radius_at(z) - b.radius_at(z);
     samples.retain(|&z| difference(z).abs() > NO_DIFFERENCE_MM);
@@ -66,7 +73,7 @@ fn bisect(difference: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Point, Segment};
+    use crate::geometry::Point;
     use crate::part::{Parabola, ParabolaAxis};
 
     fn cylinder(r: f64) -> Curve {
@@ -94,6 +101,15 @@ mod tests {
         let found = crossings(&parabola, &cylinder(2.5));
         assert_eq!(found.len(), 1);
         assert!((found[0] - 5.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn two_tapers_cross_once_at_most() {
+        let taper = |r1, r2| Curve::line(Point::new(0.0, r1), Point::new(10.0, r2));
+        let found = crossings(&taper(1.0, 5.0), &taper(4.0, 3.0));
+        assert_eq!(found.len(), 1);
+        assert!((found[0] - 6.0).abs() < 1e-12, "{found:?}");
+        assert!(crossings(&taper(1.0, 2.0), &taper(2.5, 3.0)).is_empty());
     }
 
     #[test]
