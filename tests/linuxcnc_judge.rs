@@ -246,7 +246,7 @@ fn examples_are_accepted_and_move_as_planned_and_as_instructed() {
 fn threaded_housing(starts: u32) -> Document {
     let mut document = document_from_text("housing", include_str!("cases/parts/bearing-housing.turn")).unwrap();
     let Content::TurnedPart(part) = &mut document.content;
-    part.machine = "linuxcnc".to_owned();
+    "linuxcnc".clone_into(&mut part.machine);
     let thread = SectionKind::Thread { pitch: 1.5, starts };
     part.sections[2] = Section { kind: thread.clone(), ..Section::line(3, 18.0, 52.0, 48.0, 50.16) };
     part.bore[1] = Section { kind: thread, ..Section::line(6, 22.0, 40.376, 49.0, 42.0) };
