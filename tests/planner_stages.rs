@@ -274,6 +274,34 @@ fn programs_with_compensation_and_cycles_by_the_control_are_proved_too() {
     }
 }
 
+/// Steps, a cone and a rounding that only rise towards the chuck.
+fn steps(machine: &str) -> TurnedPart {
+    let rounding = Section { kind: SectionKind::Convex { radius: 6.0 }, ..Section::line(3, 22.0, 46.0, 28.0, 34.0) };
+    let sections = vec![
+        Section::line(1, 0.0, 56.0, 12.0, 56.0),
+        Section::line(2, 12.0, 46.0, 22.0, 46.0),
+        rounding,
+        Section::line(4, 28.0, 24.0, 37.0, 20.0),
+        Section::line(5, 37.0, 20.0, 40.0, 14.0),
+    ];
+    TurnedPart { sections, facing_allowance: 1.0, ..sleeve(machine, vec![]) }
+}
+
+#[test]
+fn a_part_that_only_rises_is_roughed_and_finished_by_the_cycles_of_the_control() {
+    for (canned_cycles, compensated_by_control) in [(false, false), (true, false), (true, true)] {
+        let part = steps("fanuc-0i");
+        let program = ProgramChoices { canned_cycles, compensated_by_control, ..part.program };
+        let derived = derived(TurnedPart { program, ..part });
+        assert_proved(&derived, &format!("cycles {canned_cycles}, compensated {compensated_by_control}"));
+        let text = &derived.setups[0].programs[0].text;
+        assert_eq!(text.contains("G71"), canned_cycles, "{text}");
+        assert_eq!(text.contains("G70"), canned_cycles && !compensated_by_control, "{text}");
+        assert_eq!(text.contains("G42"), compensated_by_control, "{text}");
+        assert!((1..=5).all(|row| left_on(&derived, row) < 0.2), "{:?}", derived.setups[0].proof.leftover);
+    }
+}
+
 /// One row of a random bore: width, both diameters, bend (0 and 3 none, 1 hollow, 2 bulge), radius over chord.
 type Row = (f64, f64, f64, u8, f64);
 

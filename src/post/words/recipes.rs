@@ -11,6 +11,8 @@ const FANUC_TIP_DEG: [u32; 6] = [0, 29, 30, 55, 60, 80];
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Profile {
     contour: Vec<CutMove>,
+    /// Where G71 began, and where G70 must begin too: both go back there straight.
+    start: Point,
     first: u32,
     last: u32,
 }
@@ -95,7 +97,7 @@ impl Writer<'_> {
         line.number('F', self.control.feed, feed);
         self.push(line);
         self.profile_blocks(recipe);
-        self.profile = Some(Profile { contour: recipe.contour.clone(), first, last });
+        self.profile = Some(Profile { contour: recipe.contour.clone(), start: recipe.start, first, last });
         self.cycle_done(recipe.start);
         true
     }
@@ -115,9 +117,15 @@ impl Writer<'_> {
         self.moves(&recipe.contour, Vector::zeros());
     }
 
-    /// G70 along the contour that G71 left in this program, if the moves are the same.
+    /// G70 along the contour that G71 left in this program, if the moves are the same, its rapid way in across the spindle
+    /// aside.
     fn finish_cycle(&mut self, moves: &[CutMove]) -> bool {
-        let Some(profile) = self.profile.take_if(|profile| profile.contour == moves) else { return false };
+        let same = |profile: &mut Profile| match profile.contour.split_first() {
+            Some((CutMove::Rapid { .. }, rest)) => rest == moves,
+            _ => profile.contour == moves,
+        };
+        let Some(profile) = self.profile.take_if(same) else { return false };
+        self.rapid(profile.start);
         let mut line = self.line();
         line.whole('G', 70).whole('P', profile.first).whole('Q', profile.last);
         self.push(line);

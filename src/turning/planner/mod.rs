@@ -13,7 +13,7 @@
 //! | `trace`, `corner`, `path`, `link` | limits as paths that a control can take; moves; ways through air |
 //! | `rough`, `follow`, `groove`, `thread` | one kind of operation each |
 //! | `side` | a bore seen as an outside |
-//! | `recipes` | contours under finishing passes, for controls that compensate the nose |
+//! | `recipes`, `rough_recipe` | contours for controls that compensate the nose, or rough by a cycle of their own |
 //! | `left` | what no tool could reach |
 //! | `conditions`, `order` | feeds, speeds, depths; which tool does what, and when |
 //! | `order/face`, `order/drill`, `order/bore`, `order/part_off` | facing of the free end; the bore; parting off |
@@ -33,6 +33,7 @@ mod path;
 mod piece;
 mod recipes;
 mod rough;
+mod rough_recipe;
 mod shape;
 mod side;
 mod thread;
@@ -71,5 +72,6 @@ pub fn plan(task: &Task<'_>) -> (CutterPath, Vec<Diagnostic>) {
     }
     let (mut operations, diagnostics) = order.done();
     recipes::add(task, datum, &mut operations);
+    rough_recipe::add(task, &mut operations);
     (CutterPath { datum, program_zero_z: zero_z, operations }, diagnostics)
 }
