@@ -70,6 +70,47 @@ fn type_path(window: &mut Window, path: &Path) {
     window.harness.run_steps(3);
 }
 
+/// Answers the question for a file, and waits until that file is there.
+fn save_in(window: &mut Window, path: &Path, written: &Path) -> Vec<u8> {
+    type_path(window, path);
+    window.until("the file is written", |_| written.exists());
+    std::fs::read(written).unwrap()
+}
+
+#[test]
+fn drawing_and_setup_sheet_are_saved_from_the_file_menu() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = Window::open();
+    window.open_example("SPIGOT");
+    window.click("File");
+    window.click("Save drawing");
+    window.click("A3…");
+    let path = folder.path().join("drawing.svg");
+    let drawing = String::from_utf8(save_in(&mut window, &path, &path)).unwrap();
+    assert!(drawing.contains("width=\"420mm\" height=\"297mm\"") && drawing.contains(">Ø 1.2<"), "{drawing}");
+    window.click("File");
+    window.click("Save setup sheet…");
+    let path = folder.path().join("sheet");
+    let sheet = save_in(&mut window, &path, &path.with_extension("pdf"));
+    assert!(sheet.starts_with(b"%PDF"), "without an ending a PDF is written");
+    assert!(String::from_utf8_lossy(&sheet).contains("/Count 2"), "a page for either end");
+}
+
+#[test]
+fn a_paper_that_cannot_be_written_stops_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = Window::open();
+    window.open_example("QUEEN");
+    window.click("File");
+    window.click("Save setup sheet…");
+    type_path(&mut window, &folder.path().join("none/sheet.pdf"));
+    window.click("File");
+    window.click("Save setup sheet…");
+    let path = folder.path().join("sheet.pdf");
+    assert!(save_in(&mut window, &path, &path).starts_with(b"%PDF"));
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
 /// The queen, lengthened and not saved.
 fn edited() -> Window {
     let mut window = Window::open();

@@ -3,6 +3,7 @@
 use super::data::{Entry, Kind};
 use super::layout::Pane;
 use crate::diagnostic::Place;
+use crate::papers::PaperKind;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -60,6 +61,10 @@ pub enum Action {
         /// The pages, control characters and all.
         text: Arc<str>,
     },
+    /// Ask for a file to save papers of the part in.
+    AskSavePapers(PaperKind),
+    /// Write papers of the part into a file whose kind goes by its extension.
+    WritePapers(PathBuf, PaperKind),
     /// Write a text as it is into a file.
     WriteText(PathBuf, Arc<str>),
     /// Write the document into a file whose kind goes by its extension.

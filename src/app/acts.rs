@@ -9,6 +9,7 @@ use super::layout::{Layout, Pane};
 use crate::diagnostic::Place;
 use crate::document::{Content, Document, Ends, FORMAT_VERSION, TurnedPart};
 use crate::machine::{Catalog, Dialect};
+use crate::papers::PaperKind;
 use crate::part::Section;
 use crate::proof::BlockRef;
 use crate::session::{Origin, Session};
@@ -62,6 +63,8 @@ impl Desk {
             Action::AskOpenProgram => self.ask_file(ctx, Purpose::OpenProgram, ""),
             Action::OpenProgram(path) => self.open_program(&path),
             Action::AskSaveProgram { name, text } => self.ask_program_file(ctx, &name, text),
+            Action::AskSavePapers(kind) => self.ask_file(ctx, Purpose::Papers(kind), "pdf"),
+            Action::WritePapers(path, kind) => self.write_papers(path, kind),
             Action::WriteText(path, text) => self.files.write_text(path, text),
             Action::WriteTo(path) => self.write(path),
             Action::Undo => self.session.iter_mut().for_each(Session::undo),
@@ -168,7 +171,7 @@ impl Desk {
         let present = self.session.as_ref().and_then(|s| s.path().map(Path::to_owned));
         let path = match purpose {
             Purpose::Open | Purpose::OpenProgram | Purpose::Program(_) => PathBuf::new(),
-            Purpose::SaveAs | Purpose::Export => {
+            Purpose::SaveAs | Purpose::Export | Purpose::Papers(_) => {
                 present.or(name.map(PathBuf::from)).unwrap_or_default().with_extension(ending)
             }
         };
@@ -188,6 +191,20 @@ impl Desk {
     fn write(&mut self, path: PathBuf) {
         if let Some(session) = &self.session {
             self.files.write(path, Arc::clone(session.document()), Arc::clone(&self.catalog));
+        }
+    }
+
+    /// Papers of what the document is now, never of an older one.
+    fn write_papers(&mut self, path: PathBuf, kind: PaperKind) {
+        let Some(session) = &self.session else { return };
+        match (session.outdated(), session.derived()) {
+            (None, Some(derived)) => {
+                self.files.write_papers(path, kind, Arc::clone(derived), Arc::clone(&self.catalog))
+            }
+            (reason, _) => {
+                let reason = reason.unwrap_or("There is nothing to draw yet.");
+                self.say(&format!("The {} was not saved. {reason}", kind.name()));
+            }
         }
     }
 

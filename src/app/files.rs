@@ -3,6 +3,8 @@
 use crate::diagnostic::Diagnostic;
 use crate::document::Document;
 use crate::machine::Catalog;
+use crate::papers::{self, PaperKind};
+use crate::regen::Derived;
 use crate::storage::recovery::{Recovered, RecoverySession, left_over};
 use crate::storage::{export, replace_file};
 use std::path::{Path, PathBuf};
@@ -14,7 +16,7 @@ use std::time::SystemTime;
 pub(crate) struct Written {
     /// The file.
     pub(crate) path: PathBuf,
-    /// The document as it was written; `None` if it was a program.
+    /// The document as it was written; `None` if it was a program or a paper.
     pub(crate) document: Option<Arc<Document>>,
     /// Remarks, or the reasons why nothing was written.
     pub(crate) result: Result<Vec<Diagnostic>, Vec<Diagnostic>>,
@@ -23,6 +25,7 @@ pub(crate) struct Written {
 enum Order {
     Write(PathBuf, Arc<Document>, Arc<Catalog>),
     Text(PathBuf, Arc<str>),
+    Papers(PathBuf, PaperKind, Arc<Derived>, Arc<Catalog>),
     Recovery(Arc<Document>, Option<PathBuf>),
     DiscardRecovery,
     TakeOver(Box<Recovered>),
@@ -55,6 +58,15 @@ impl Files {
                         let _ = outbox.send(Written { path, document: None, result });
                         notify();
                     }
+                    Order::Papers(path, kind, derived, catalog) => {
+                        let saved = kind.pages(&derived, &catalog).and_then(|pages| papers::save(&path, &pages));
+                        let (path, result) = match saved {
+                            Ok(files) => (files.into_iter().next().unwrap_or(path), Ok(Vec::new())),
+                            Err(reason) => (path, Err(vec![reason])),
+                        };
+                        let _ = outbox.send(Written { path, document: None, result });
+                        notify();
+                    }
                     // A failed recovery file must not disturb the work; the next edit tries again.
                     Order::Recovery(document, path) => {
                         let write = |r: &RecoverySession| r.write(&document, path.as_deref(), SystemTime::now());
@@ -83,6 +95,11 @@ impl Files {
     /// Writes a text as it is.
     pub(crate) fn write_text(&self, path: PathBuf, text: Arc<str>) {
         let _ = self.orders.send(Order::Text(path, text));
+    }
+
+    /// Makes papers of `derived`, whose tools are in `catalog`, and writes them; the kind of file goes by the extension.
+    pub(crate) fn write_papers(&self, path: PathBuf, kind: PaperKind, derived: Arc<Derived>, catalog: Arc<Catalog>) {
+        let _ = self.orders.send(Order::Papers(path, kind, derived, catalog));
     }
 
     /// Writes a recovery file of `document`.

@@ -8,6 +8,7 @@ use super::shortcuts;
 use super::theme::{self, Colors};
 use super::widgets::{chip, clock, primary_button};
 use crate::machine::Dialect;
+use crate::papers::{DrawingChoice, Paper, PaperKind};
 use crate::session::{SaveState, Session, Verdict};
 use egui::{Align, Button, KeyboardShortcut, RichText, Ui};
 
@@ -72,6 +73,7 @@ fn file(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) {
             requests.actions.push(Action::AskExport);
         }
         save_program(ui, session, requests);
+        save_papers(ui, session, requests);
         ui.separator();
         if item(ui, "Start page", None, session.is_some()) {
             requests.actions.push(Action::Close);
@@ -93,6 +95,31 @@ fn save_program(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests)
     if let Some(program) = program.filter(|_| response.clicked()) {
         let (name, text) = (program.name.clone(), program.text.as_str().into());
         requests.actions.push(Action::AskSaveProgram { name, text });
+    }
+}
+
+/// Only papers of the document as it is now are saved.
+fn save_papers(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) {
+    let outdated = session.and_then(Session::outdated);
+    let ready = session.is_some() && outdated.is_none();
+    ui.add_enabled_ui(ready, |ui| {
+        ui.menu_button("Save drawing", |ui| {
+            let mut paper = |text: &str, paper: Option<Paper>, ui: &mut Ui| {
+                if item(ui, text, None, true) {
+                    let kind = PaperKind::Drawing(DrawingChoice { paper, scale: None });
+                    requests.actions.push(Action::AskSavePapers(kind));
+                }
+            };
+            paper("Smallest paper that fits…", None, ui);
+            for size in Paper::ALL {
+                paper(&format!("{}…", size.name()), Some(size), ui);
+            }
+        });
+    });
+    let response = ui.add_enabled(ready, Button::new("Save setup sheet…"));
+    let response = response.on_disabled_hover_text(outdated.unwrap_or("There is no part yet."));
+    if response.clicked() {
+        requests.actions.push(Action::AskSavePapers(PaperKind::SetupSheet));
     }
 }
 

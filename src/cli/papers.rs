@@ -5,7 +5,8 @@ use super::{Ending, Outcome, catalog, complain, say};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use turnwright::diagnostic::{Diagnostic, has_errors};
-use turnwright::papers::{self, DrawingChoice, Page, Paper};
+use turnwright::papers::{self, DrawingChoice, Paper, PaperKind};
+use turnwright::regen::Derived;
 
 /// Draw the finished part with its dimensions.
 #[derive(Debug, Args)]
@@ -38,29 +39,24 @@ pub(crate) struct Sheet {
 }
 
 pub(super) fn draw(args: &Draw) -> Outcome {
-    let catalog = catalog();
-    let derived = derive(&open(&args.file, args.machine.as_deref(), &catalog)?, &catalog)?;
-    complain(&derived.diagnostics);
-    let choice = DrawingChoice { paper: args.paper, scale: args.scale };
-    let pages = papers::drawing(&derived, choice).map_err(|d| vec![d])?;
-    write(&args.out, &pages)?;
+    let kind = PaperKind::Drawing(DrawingChoice { paper: args.paper, scale: args.scale });
+    let derived = make(kind, &args.file, args.machine.as_deref(), &args.out)?;
     Ok(if has_errors(&derived.diagnostics) { Ending::FoundErrors } else { Ending::Good })
 }
 
 pub(super) fn sheet(args: &Sheet) -> Outcome {
-    let catalog = catalog();
-    let derived = derive(&open(&args.file, args.machine.as_deref(), &catalog)?, &catalog)?;
-    complain(&derived.diagnostics);
-    let pages: Vec<Page> =
-        derived.setups.iter().flat_map(|item| papers::setup_sheets(&derived, item, &catalog)).collect();
-    write(&args.out, &pages)?;
+    let derived = make(PaperKind::SetupSheet, &args.file, args.machine.as_deref(), &args.out)?;
     Ok(if turnwright::output::has_errors(&derived) { Ending::FoundErrors } else { Ending::Good })
 }
 
-/// Writes pages and says where they are.
-fn write(path: &Path, pages: &[Page]) -> Result<(), Vec<Diagnostic>> {
-    for file in papers::save(path, pages).map_err(|d| vec![d])? {
-        say(&file.display().to_string());
+/// Makes and writes papers of a file, and says where they are.
+fn make(kind: PaperKind, file: &Path, machine: Option<&str>, out: &Path) -> Result<Derived, Vec<Diagnostic>> {
+    let catalog = catalog();
+    let derived = derive(&open(file, machine, &catalog)?, &catalog)?;
+    complain(&derived.diagnostics);
+    let pages = kind.pages(&derived, &catalog).map_err(|d| vec![d])?;
+    for written in papers::save(out, &pages).map_err(|d| vec![d])? {
+        say(&written.display().to_string());
     }
-    Ok(())
+    Ok(derived)
 }

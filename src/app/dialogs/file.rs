@@ -3,13 +3,14 @@
 use crate::app::actions::Action;
 use crate::app::theme::{self, Colors};
 use crate::app::widgets::primary_button;
+use crate::papers::PaperKind;
 use egui::{Key, TextEdit, Ui};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::mpsc::{Receiver, TryRecvError, channel};
 
 /// What the file is for.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Purpose {
     /// Open a document or import a part.
     Open,
@@ -21,6 +22,8 @@ pub(crate) enum Purpose {
     Export,
     /// Save this text, which is a program.
     Program(Arc<str>),
+    /// Save papers of the part.
+    Papers(PaperKind),
 }
 
 impl Purpose {
@@ -31,6 +34,8 @@ impl Purpose {
             Self::SaveAs => "Save as",
             Self::Export => "Export",
             Self::Program(_) => "Save the program",
+            Self::Papers(PaperKind::Drawing(_)) => "Save the drawing",
+            Self::Papers(PaperKind::SetupSheet) => "Save the setup sheet",
         }
     }
 
@@ -41,13 +46,16 @@ impl Purpose {
             Self::SaveAs => "A document ends in .turn.",
             Self::Export => "The kind goes by the ending: .CAD, .dxf, .svg, .csv or .tsv.",
             Self::Program(_) => "The program with its control characters, as it goes over the line.",
+            Self::Papers(_) => {
+                "The kind goes by the ending: .pdf, .svg, .dxf or .plt (HP-GL). Only a PDF holds several pages."
+            }
         }
     }
 
     const fn verb(&self) -> &'static str {
         match self {
             Self::Open | Self::OpenProgram => "Open",
-            Self::SaveAs | Self::Program(_) => "Save",
+            Self::SaveAs | Self::Program(_) | Self::Papers(_) => "Save",
             Self::Export => "Export",
         }
     }
@@ -55,6 +63,7 @@ impl Purpose {
     const fn kind(&self) -> &'static str {
         match self {
             Self::Program(_) | Self::OpenProgram => "Programs",
+            Self::Papers(_) => "Papers",
             Self::Open | Self::SaveAs | Self::Export => "Parts",
         }
     }
@@ -66,6 +75,7 @@ impl Purpose {
             Self::SaveAs => &["turn"],
             Self::Export => &["CAD", "dxf", "svg", "csv", "tsv"],
             Self::Program(_) => &["nc", "ngc", "cnc", "CNC", "txt"],
+            Self::Papers(_) => &["pdf", "svg", "dxf", "plt"],
         }
     }
 }
@@ -169,6 +179,8 @@ impl FileDialog {
             Purpose::SaveAs => Action::WriteTo(with_ending(path, "turn")),
             Purpose::Export => Action::WriteTo(path),
             Purpose::Program(text) => Action::WriteText(path, Arc::clone(text)),
+            Purpose::Papers(kind) if path.extension().is_none() => Action::WritePapers(with_ending(path, "pdf"), *kind),
+            Purpose::Papers(kind) => Action::WritePapers(path, *kind),
         });
         true
     }

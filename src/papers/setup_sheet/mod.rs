@@ -16,8 +16,7 @@ use writer::Writer;
 
 /// The pages of one clamping's setup sheet, A4 upright: part, stock, holding, program zero with a picture of the set-up to scale,
 /// tools with pictures, operations and programs with their times, and what the proof found.
-#[must_use]
-pub fn setup_sheets(derived: &Derived, item: &SetupDerived, catalog: &Catalog) -> Vec<Page> {
+pub(super) fn setup_sheet(derived: &Derived, item: &SetupDerived, catalog: &Catalog) -> Vec<Page> {
     let Content::TurnedPart(part) = &derived.document.content;
     let machine = derived.machine.as_deref();
     let subject = Subject { item, catalog, part, machine, unit: derived.document.unit };
@@ -76,7 +75,7 @@ mod tests {
             let document = Arc::new(document_from_text("example.turn", example.text).unwrap());
             let derived = regenerate(&document, &catalog, &mut Cache::default(), &Cancel::default()).unwrap();
             for item in &derived.setups {
-                let pages = setup_sheets(&derived, item, &catalog);
+                let pages = setup_sheet(&derived, item, &catalog);
                 let said = texts(&pages);
                 let says = |wanted: &str| said.iter().any(|text| text.contains(wanted));
                 for program in &item.post.programs {
