@@ -124,3 +124,35 @@ fn lists_are_readable_by_people_and_programs() {
         assert!(!all.as_array().expect("a list").is_empty());
     }
 }
+
+#[test]
+fn papers_are_made_in_every_kind_of_file() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let out = |name: &str| folder.path().join(name).display().to_string();
+    for (name, head) in [("queen.pdf", "%PDF"), ("queen.svg", "<?xml"), ("queen.dxf", "  0"), ("queen.plt", "IN;")] {
+        let output = turnwright(&["draw", &example("queen.turn"), &out(name), "--paper", "a2"]);
+        assert_eq!(code(&output), 0, "{}", text(&output.stderr));
+        assert_eq!(text(&output.stdout).trim(), out(name));
+        assert!(std::fs::read(out(name)).expect("the drawing").starts_with(head.as_bytes()), "{name}");
+    }
+    let output = turnwright(&["sheet", &example("spigot.turn"), &out("sheet.svg")]);
+    assert_eq!(code(&output), 0, "{}", text(&output.stderr));
+    assert!(Path::new(&out("sheet-1.svg")).is_file() && Path::new(&out("sheet-2.svg")).is_file(), "one file a page");
+}
+
+#[test]
+fn papers_that_cannot_be_made_end_with_two_and_a_reason() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let out = |name: &str| folder.path().join(name).display().to_string();
+    let refused = |args: &[&str], reason: &str| {
+        let output = turnwright(args);
+        assert_eq!(code(&output), 2, "{}", text(&output.stderr));
+        assert!(text(&output.stderr).contains(reason), "{}", text(&output.stderr));
+    };
+    let queen = example("queen.turn");
+    refused(&["draw", &queen, &out("none/queen.pdf")], "cannot be saved");
+    refused(&["sheet", &queen, &out("queen.doc")], "cannot be written as \".doc\"");
+    refused(&["draw", &queen, &out("queen.pdf"), "--paper", "B4"], "use A0 to A4");
+    refused(&["draw", &queen, &out("queen.pdf"), "--paper", "A4", "--scale", "10"], "2:1 is the largest");
+    assert_eq!(std::fs::read_dir(folder.path()).expect("the folder").count(), 0, "nothing was written");
+}

@@ -64,7 +64,12 @@ fn draw(out: &mut String, path: &Contour) {
     for segment in &path.segments {
         let _ = match *segment {
             Segment::Line { end, .. } => write!(out, ";PA{}", place(end)),
-            Segment::Arc { center, .. } => write!(out, ";AA{},{:.3}", place(center), segment.sweep().to_degrees()),
+            Segment::Arc { start, end, center, ccw } => {
+                // The angle between the places as the plotter knows them; then to the very end, or faults would add up.
+                let [start, end, middle] = [start, end, center].map(rounded);
+                let sweep = Segment::Arc { start, end, center: middle, ccw }.sweep().to_degrees();
+                write!(out, ";AA{},{sweep:.3};PA{}", place(center), place(end))
+            }
         };
     }
     out.push_str(";PU;\n");
@@ -102,6 +107,11 @@ fn place(p: Point) -> String {
     format!("{:.0},{:.0}", (p.z * UNITS_PER_MM).round() + 0.0, (p.r * UNITS_PER_MM).round() + 0.0)
 }
 
+/// The nearest place that the plotter knows, mm.
+fn rounded(p: Point) -> Point {
+    Point::new((p.z * UNITS_PER_MM).round() / UNITS_PER_MM, (p.r * UNITS_PER_MM).round() / UNITS_PER_MM)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -114,7 +124,7 @@ mod tests {
         page.path(vec![Segment::line(p(0.0, 10.0), p(20.0, 10.0)), quarter], Pen::EDGE);
         page.text(p(5.0, 5.0), 3.0, Align::Start, "Ø 20");
         let text = hpgl(&page);
-        assert!(text.contains("PU0,400;PD;PA800,400;AA400,400,90.000;PU;"), "{text}");
+        assert!(text.contains("PU0,400;PD;PA800,400;AA400,400,90.000;PA400,800;PU;"), "{text}");
         assert!(text.contains("LBD 20\u{3}"), "{text}");
         assert!(text.starts_with("IN;\nSP1;") && text.ends_with("PU;SP0;\n"), "{text}");
     }
