@@ -199,7 +199,7 @@ impl Desk {
         let Some(session) = &self.session else { return };
         match (session.outdated(), session.derived()) {
             (None, Some(derived)) => {
-                self.files.write_papers(path, kind, Arc::clone(derived), Arc::clone(&self.catalog))
+                self.files.write_papers(path, kind, Arc::clone(derived), Arc::clone(&self.catalog));
             }
             (reason, _) => {
                 let reason = reason.unwrap_or("There is nothing to draw yet.");

@@ -110,7 +110,13 @@ fn draw_holding(subject: &Subject<'_>, page: &mut Page, view: View, shown: Bound
         for side in [1.0, -1.0] {
             let corners: Vec<Point> = seen.iter().map(|p| view.place(Point::new(p.z, side * p.r))).collect();
             if corners.len() > 2 {
-                page.area(Contour::polygon(&corners).segments, Ink::Pale, Some(grey));
+                let edges = Contour::polygon(&corners).segments;
+                page.area(edges.clone(), Ink::Pale, None);
+                // Only the axis itself is drawn on the axis.
+                let axis = view.origin.r;
+                for edge in edges.into_iter().filter(|e| e.start().r != axis || e.end().r != axis) {
+                    page.path(vec![edge], grey);
+                }
             }
         }
     }
