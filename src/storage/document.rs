@@ -142,27 +142,28 @@ fn excerpt(text: &str, line: usize) -> String {
     if short.len() < line.len() { short + " …" } else { short }
 }
 
-/// Indents objects and lists down to the section table and keeps everything below on one line.
+/// Indents objects and lists down to the rows of tables, each of which keeps to one line.
 #[derive(Default)]
 struct Layout {
-    depth: usize,
+    /// For every bracket that is open, whether its values have lines of their own.
+    open: Vec<bool>,
     has_value: bool,
 }
 
 impl Layout {
-    /// Document, content, part and section table, each with its own lines.
-    const SPREAD: usize = 4;
+    /// Document, content, part and what the part is made of have a line for each value.
+    const OBJECTS: usize = 4;
+    /// So have lists one deeper, such as the instructions of a generator.
+    const LISTS: usize = 5;
 
-    fn begin<W: ?Sized + Write>(&mut self, writer: &mut W, bracket: &[u8]) -> io::Result<()> {
-        self.depth += 1;
+    fn begin<W: ?Sized + Write>(&mut self, writer: &mut W, bracket: &[u8], deepest: usize) -> io::Result<()> {
+        self.open.push(self.open.len() < deepest);
         self.has_value = false;
         writer.write_all(bracket)
     }
 
     fn end<W: ?Sized + Write>(&mut self, writer: &mut W, bracket: &[u8]) -> io::Result<()> {
-        let spread = self.depth <= Self::SPREAD && self.has_value;
-        self.depth -= 1;
-        if spread {
+        if self.open.pop() == Some(true) && self.has_value {
             self.new_line(writer)?;
         }
         self.has_value = true;
@@ -170,7 +171,7 @@ impl Layout {
     }
 
     fn value<W: ?Sized + Write>(&self, writer: &mut W, first: bool) -> io::Result<()> {
-        if self.depth <= Self::SPREAD {
+        if self.open.last() == Some(&true) {
             writer.write_all(if first { b"" } else { b"," })?;
             return self.new_line(writer);
         }
@@ -179,13 +180,13 @@ impl Layout {
 
     fn new_line<W: ?Sized + Write>(&self, writer: &mut W) -> io::Result<()> {
         writer.write_all(b"\n")?;
-        (0..self.depth).try_for_each(|_| writer.write_all(b"  "))
+        self.open.iter().try_for_each(|_| writer.write_all(b"  "))
     }
 }
 
 impl Formatter for Layout {
     fn begin_array<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
-        self.begin(writer, b"[")
+        self.begin(writer, b"[", Self::LISTS)
     }
 
     fn end_array<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
@@ -202,7 +203,7 @@ impl Formatter for Layout {
     }
 
     fn begin_object<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
-        self.begin(writer, b"{")
+        self.begin(writer, b"{", Self::OBJECTS)
     }
 
     fn end_object<W: ?Sized + Write>(&mut self, writer: &mut W) -> io::Result<()> {
