@@ -43,8 +43,9 @@ pub fn unreachable(setup: &Setup, tools: &BTreeMap<u32, ToolOutline>, machine: &
         .filter(|(_, tool)| tool.kind == ToolKind::Turning)
         .map(|(&station, tool)| (station, [&tool.insert, &tool.holder].map(Underside::of)))
         .collect();
-    let pad = turning.iter().map(|(_, [insert, holder])| insert.reach() + holder.reach()).fold(0.0, f64::max);
-    let Some(grid) = Grid::new(setup, machine, pad).filter(|_| !turning.is_empty()) else { return Vec::new() };
+    let Some(grid) = Grid::new(setup, machine, room(&turning)).filter(|_| !turning.is_empty()) else {
+        return Vec::new();
+    };
     let finished = contour(&setup.profile, CELL_MM / 2.0).contour;
     let mut least: Vec<f64> = vec![f64::INFINITY; grid.surface.len()];
     let mut areas = Vec::new();
@@ -57,6 +58,15 @@ pub fn unreachable(setup: &Setup, tools: &BTreeMap<u32, ToolOutline>, machine: &
     areas
 }
 
+/// Room beside the machined part, mm, to the left and to the right: for every place where an insert cuts it, and to the left
+/// for what the tool covers there. To the right there is only air.
+fn room(turning: &[(u32, [Underside; 2])]) -> [f64; 2] {
+    turning.iter().fold([0.0, 0.0], |[left, right]: [f64; 2], (_, [insert, holder])| {
+        let [insert_left, insert_right] = insert.reach();
+        [left.max(insert_right - insert_left.min(holder.reach()[0])), right.max(-insert_left)]
+    })
+}
+
 /// The surface that tools must not touch, as a radius at every cell.
 struct Grid {
     /// Position of the first cell, mm.
@@ -67,12 +77,12 @@ struct Grid {
 }
 
 impl Grid {
-    /// The surface of a set-up with `pad` mm of room on either side.
-    fn new(setup: &Setup, machine: &Machine, pad: f64) -> Option<Self> {
-        let span = setup.length - setup.machined_from_z + 2.0 * pad;
+    /// The surface of a set-up with room on either side, mm.
+    fn new(setup: &Setup, machine: &Machine, [left, right]: [f64; 2]) -> Option<Self> {
+        let span = setup.length - setup.machined_from_z + left + right;
         let step = CELL_MM.max(span / MOST_CELLS);
         // A cell lies where machining begins, so that the others lie on even figures.
-        let start = setup.machined_from_z - (pad / step).ceil() * step;
+        let start = setup.machined_from_z - (left / step).ceil() * step;
         let count = index(span / step).filter(|_| span > 0.0)? + 3;
         let mut grid = Self { start, step, surface: vec![f64::NEG_INFINITY; count] };
         for piece in &setup.profile.pieces {
@@ -150,14 +160,30 @@ impl Grid {
             let radius = |i: usize| radii.get(i).copied().filter(|r| r.is_finite());
             cells.clone().filter_map(|i| Some(Point::new(self.z(i), radius(i)?))).collect()
         };
-        let upper = points(left);
+        let (upper, lower) = (points(left), points(&self.surface));
         let stride = upper.len().div_ceil(HEIGHT_SAMPLES).max(1);
-        let height_mm = upper.iter().step_by(stride).map(|&p| finished.distance_to(p)).fold(0.0, f64::max);
-        let mut outline = simplified(&points(&self.surface), self.step);
+        // The contour is no further away than the surface below, but for the width of a cell.
+        let most = if upper.len() == lower.len() {
+            upper.iter().zip(&lower).map(|(u, l)| u.r - l.r).fold(0.0, f64::max) + 2.0 * self.step
+        } else {
+            f64::INFINITY
+        };
+        let height = |&p: &Point| distance_within(finished, p, most);
+        let height_mm = upper.iter().step_by(stride).map(height).fold(0.0, f64::max);
+        let mut outline = simplified(&lower, self.step);
         outline.extend(simplified(&upper, self.step).into_iter().rev());
         let sections = sections(&setup.profile, self.z(first), self.z(last));
         (height_mm >= IGNORED_HEIGHT_MM).then_some(UnreachableArea { tool, sections, outline, height_mm })
     }
+}
+
+/// Distance from a point to the part of a contour that lies within `reach` mm along z; `reach` if that is nearer. The contour
+/// runs on along z.
+fn distance_within(contour: &Contour, p: Point, reach: f64) -> f64 {
+    let segments = &contour.segments;
+    let first = segments.partition_point(|s| s.start().z.max(s.end().z) < p.z - reach);
+    let near = segments.iter().skip(first).take_while(|s| s.start().z.min(s.end().z) <= p.z + reach);
+    near.map(|s| s.distance_to(p)).fold(reach, f64::min)
 }
 
 /// A count as an index.

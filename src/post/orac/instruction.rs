@@ -3,6 +3,7 @@
 //! A value is a whole number: thousandths for lengths and times, units for everything else. So texts and pages round-trip
 //! exactly.
 
+use super::number;
 use std::ops::RangeInclusive;
 
 /// One instruction of a program.
@@ -190,12 +191,9 @@ impl Field {
     /// The value as it is written, without padding.
     #[must_use]
     pub fn written(self, value: i32) -> String {
-        if !self.is_decimal() {
-            return value.to_string();
-        }
-        let sign = if value < 0 { "-" } else { "" };
-        let size = value.unsigned_abs();
-        format!("{sign}{}.{:03}", size / 1000, size % 1000)
+        let mut text = String::new();
+        number::push(&mut text, self, value, 0);
+        text
     }
 }
 
@@ -395,20 +393,28 @@ impl Instruction {
     /// One line for people: `PTP X -0.800 Z 0.000 F 80 T1 S1262`.
     #[must_use]
     pub fn summary(&self) -> String {
-        let values = self.fields().map(|(field, value)| {
-            let written = field.written(value);
-            match field {
-                Field::Radius => format!("R {written}"),
-                Field::Feed => format!("F {written}"),
-                Field::Tool => format!("T{written}"),
-                Field::Rpm => format!("S{written}"),
-                Field::Number | Field::Count | Field::Channel => written,
-                _ => format!("{} {written}", field.label()),
-            }
-        });
-        let words = [self.kind().word().to_owned()].into_iter().chain(values);
-        let sense = self.kind().sense_word().map(str::to_owned);
-        words.chain(sense).collect::<Vec<_>>().join(" ")
+        let mut line = self.kind().word().to_owned();
+        for (field, value) in self.fields() {
+            let before = match field {
+                Field::Radius => " R ",
+                Field::Feed => " F ",
+                Field::Tool => " T",
+                Field::Rpm => " S",
+                Field::Number | Field::Count | Field::Channel => " ",
+                _ => {
+                    line.push(' ');
+                    line.push_str(field.label());
+                    " "
+                }
+            };
+            line.push_str(before);
+            number::push(&mut line, field, value, 0);
+        }
+        if let Some(sense) = self.kind().sense_word() {
+            line.push(' ');
+            line.push_str(sense);
+        }
+        line
     }
 }
 

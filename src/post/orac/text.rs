@@ -5,34 +5,43 @@ use super::number;
 use crate::diagnostic::{Diagnostic, Place};
 use std::fmt::Write;
 
+/// Characters of a line with room to spare.
+const TYPICAL_LINE: usize = 48;
+
 /// The text of an instruction file, lines numbered from 1 and ended by LF.
 #[must_use]
 pub fn instructions_text(instructions: &[Instruction]) -> String {
-    let mut text = String::new();
+    let mut text = String::with_capacity(instructions.len() * TYPICAL_LINE);
     for (k, instruction) in instructions.iter().enumerate() {
         // Writing to a String cannot fail.
-        let _ = writeln!(text, "{:>3}  {}", k + 1, line(instruction));
+        let _ = write!(text, "{:>3}  ", k + 1);
+        push_line(&mut text, instruction);
+        text.push('\n');
     }
     text
 }
 
-/// One line without its number.
-fn line(instruction: &Instruction) -> String {
+/// Adds one line without its number.
+fn push_line(text: &mut String, instruction: &Instruction) {
     let kind = instruction.kind();
-    let starts_with_length = kind.fields().first().is_none_or(|f| f.is_decimal());
-    let mut line = format!("{:<width$}", kind.word(), width = if starts_with_length { 4 } else { 3 });
-    let (lengths, others): (Vec<_>, Vec<_>) = instruction.fields().partition(|(field, _)| field.is_decimal());
-    for (field, value) in lengths {
-        let _ = write!(line, "{:>9}", field.written(value));
+    let fields = kind.fields();
+    let of_sort = |decimal: bool| instruction.fields().filter(move |(field, _)| field.is_decimal() == decimal);
+    text.push_str(kind.word());
+    if let Some(first) = fields.first() {
+        let width = if first.is_decimal() { 4_usize } else { 3 };
+        text.extend(std::iter::repeat_n(' ', width.saturating_sub(kind.word().len())));
+    }
+    for (field, value) in of_sort(true) {
+        number::push(text, field, value, 9);
     }
     if let Some(sense) = kind.sense_word() {
-        let _ = write!(line, " {sense:<3}");
+        // Writing to a String cannot fail.
+        let _ = write!(text, " {sense:<3}");
     }
-    for (field, value) in others {
-        let width = if field == Field::Feed { 4 } else { 0 };
-        let _ = write!(line, " {value:>width$}");
+    for (field, value) in of_sort(false) {
+        text.push(' ');
+        number::push(text, field, value, if field == Field::Feed { 4 } else { 0 });
     }
-    line.trim_end().to_owned()
 }
 
 /// Reads an instruction file. Lines that cannot be read are left out and named in the diagnostics with `file` and line.

@@ -83,6 +83,21 @@ impl Columns {
         Some((self.heads.first()?.from, self.heads.last()?.to))
     }
 
+    /// True if material lies in a rectangle, as far as columns tell: a span whose borders are slanted is taken as high as it is
+    /// anywhere within the rectangle's width.
+    pub(super) fn reach_into(&self, window: &Window) -> bool {
+        let columns = self.between(self.first_beyond(window.min.x), self.first_from(window.max.x + 1));
+        let (low, high) = (f64::from(window.min.y), f64::from(window.max.y));
+        columns.into_iter().any(|column| {
+            let (from, to) = (column.from.max(window.min.x), column.to.min(window.max.x));
+            let meets = |span: &Span| {
+                let ([l0, l1], [h0, h1]) = (span.low.over(from, to), span.high.over(from, to));
+                l0.min(l1) <= high && h0.max(h1) >= low
+            };
+            column.spans.iter().any(meets)
+        })
+    }
+
     /// Number of the first column that reaches beyond a position.
     pub(super) fn first_beyond(&self, x: i32) -> usize {
         self.heads.partition_point(|head| head.to <= x)

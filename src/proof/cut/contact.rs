@@ -9,7 +9,7 @@ use super::cutter::{Cutter, Edge};
 use super::grid::{self, GridPoint, Ring, TOUCH, Window, from_grid, hull, plus};
 use super::overlap::Overlap;
 use super::stock::Stock;
-use super::sweep::covered;
+use super::sweep::{covered, met};
 use crate::geometry::{Bounds, Point};
 
 /// Stock overlapped by less than this area, mm², is not touched: 1 µm over a length of 1 mm.
@@ -76,9 +76,8 @@ impl Touched {
 
     /// Adds what the holder goes over on its way, after the insert has cut.
     pub(super) fn after(&mut self, stock: &Stock, cutter: &Cutter, points: &[GridPoint], overlap: &mut Overlap) {
-        let window = cutter.holder_window.moved(&Window::around(points));
-        if stock.may_meet(&window) {
-            self.holder.extend(stock.shared(&covered(&cutter.holder, points), &window, overlap).rings());
+        if stock.may_meet(&cutter.holder_window.moved(&Window::around(points))) {
+            self.holder.extend(met(stock, &cutter.holder, points, overlap));
         }
     }
 

@@ -31,7 +31,7 @@ use overlap::Overlap;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 pub(super) use stock::Stock;
-use sweep::covered;
+use sweep::{covered, met};
 
 /// What holds the work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -159,10 +159,9 @@ impl Cutting {
         let mut found = Vec::new();
         for (holding, region) in &self.held_by {
             let near = pieces.iter().filter(|(_, window)| region.may_meet(window));
-            let met: Vec<Ring> = near
-                .flat_map(|(pieces, w)| region.shared(&covered(pieces, points), w, &mut self.overlap).rings())
-                .collect();
-            found.extend(Contact::of_all(&met).map(|contact| (*holding, contact)));
+            let rings: Vec<Ring> =
+                near.flat_map(|(pieces, _)| met(region, pieces, points, &mut self.overlap)).collect();
+            found.extend(Contact::of_all(&rings).map(|contact| (*holding, contact)));
         }
         found
     }

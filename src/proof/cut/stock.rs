@@ -57,7 +57,7 @@ impl Stock {
 
     /// True if material may lie in a rectangle.
     pub(super) fn may_meet(&self, window: &Window) -> bool {
-        self.near(window).next().is_some()
+        self.near(window).any(|(_, chunk)| chunk.columns.reach_into(window))
     }
 
     /// The chunks that may reach into a rectangle.
@@ -83,29 +83,28 @@ impl Stock {
         for (index, chunk) in self.near(window) {
             overlap.left.clear();
             if overlap.subtract(&chunk.columns, cut) {
-                changed.push((index, overlap.left.clone()));
+                changed.push((index, std::mem::take(&mut overlap.left)));
             }
         }
         let taken = overlap.shared.rings();
         if !taken.is_empty() {
-            changed.into_iter().rev().for_each(|(index, columns)| self.replace(index, &columns));
+            changed.into_iter().rev().for_each(|(index, columns)| self.replace(index, columns));
         }
         taken
     }
 
     /// Puts columns in the place of a chunk.
-    fn replace(&mut self, index: usize, columns: &Columns) {
+    fn replace(&mut self, index: usize, mut columns: Columns) {
         let next = self.chunks.get(index + 1).filter(|next| next.columns.len() + columns.len() < FEW_COLUMNS);
         if let Some(next) = next {
-            let mut both = columns.clone();
-            both.append(&next.columns);
-            self.chunks.splice(index..index + 2, chunks_of(&both));
+            columns.append(&next.columns);
+            self.chunks.splice(index..index + 2, chunks_of(&columns));
         } else if columns.len() <= MOST_COLUMNS
             && let Some(window) = columns.window()
         {
-            self.chunks[index] = Arc::new(Chunk { window, columns: columns.clone() });
+            self.chunks[index] = Arc::new(Chunk { window, columns });
         } else {
-            self.chunks.splice(index..=index, chunks_of(columns));
+            self.chunks.splice(index..=index, chunks_of(&columns));
         }
     }
 }

@@ -1,11 +1,27 @@
 //! The region that a convex outline covers while it moves along a path.
 
 use super::columns::Columns;
-use super::grid::{GridPoint, Ring, plus};
+use super::grid::{GridPoint, Ring, Window, plus};
+use super::overlap::Overlap;
+use super::stock::Stock;
 
 /// What convex pieces cover together while they move along `path`.
 pub(super) fn covered(pieces: &[Ring], path: &[GridPoint]) -> Columns {
     Columns::of_rings(&pieces.iter().map(|piece| swept(piece, path)).collect::<Vec<_>>())
+}
+
+/// The outlines of what convex pieces share with a region while they move along `path`: one after another, so that they may
+/// overlap. Most pieces are nowhere near, and their rectangles tell.
+pub(super) fn met(region: &Stock, pieces: &[Ring], path: &[GridPoint], overlap: &mut Overlap) -> Vec<Ring> {
+    let way = Window::around(path);
+    let mut rings = Vec::new();
+    for piece in pieces {
+        let window = Window::around(piece).moved(&way);
+        if region.may_meet(&window) {
+            rings.extend(region.shared(&Columns::of_rings(&[swept(piece, path)]), &window, overlap).rings());
+        }
+    }
+    rings
 }
 
 /// The ring that winds around every point covered by `outline` (convex, counter-clockwise) moved along `path`.
