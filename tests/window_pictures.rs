@@ -45,6 +45,17 @@ fn playback_half_way() {
 }
 
 #[test]
+fn playback_of_a_form_roll() {
+    let mut window = Window::open();
+    window.open_example("1470b-2T");
+    let end = window.session().setup().unwrap().proof.times.total_s;
+    window.desk().play_from(end * 0.6);
+    window.harness.run_steps(4);
+    window.screenshot("playback-form-roll");
+    assert!(window.session().selection.block.is_some(), "the block that is cut is shown");
+}
+
+#[test]
 fn failing_proof() {
     let mut window = Window::open();
     window.open_example("QUEEN");

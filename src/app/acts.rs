@@ -8,7 +8,7 @@ use super::files::Written;
 use super::layout::{Layout, Pane};
 use crate::diagnostic::Place;
 use crate::document::{Content, Document, Ends, FORMAT_VERSION, TurnedPart};
-use crate::machine::{Catalog, Dialect};
+use crate::machine::Catalog;
 use crate::papers::PaperKind;
 use crate::part::Section;
 use crate::proof::BlockRef;
@@ -114,8 +114,7 @@ impl Desk {
             self.say("A program is shown and proved on a part. Open a part first, and let its own program be made.");
             return;
         };
-        let in_pages = session.derived().and_then(|d| d.machine.as_ref()).is_some_and(|m| m.dialect == Dialect::Orac);
-        let text = if in_pages { read_pages(path) } else { read_program(path).map_err(|d| vec![d]) };
+        let text = if session.is_in_pages() { read_pages(path) } else { read_program(path).map_err(|d| vec![d]) };
         match text {
             Ok(text) => {
                 let file = path.file_name().unwrap_or_default().to_string_lossy();

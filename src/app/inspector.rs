@@ -186,7 +186,7 @@ fn of_part(ui: &mut Ui, session: &mut Session, requests: &Requests) {
     let blocks = proof.blocks.len().to_string();
     let facts = [
         ("Programs", setup.programs.len().to_string()),
-        ("Pages", blocks),
+        (if session.is_in_pages() { "Pages" } else { "Blocks" }, blocks),
         ("Largest chip", format!("{} mm²", fixed(proof.largest_chip_mm2, 3))),
         ("Deepest gouge", format!("{} mm", fixed(proof.deepest_gouge_mm, 3))),
         ("Most left", format!("{} mm", fixed(proof.leftover.iter().map(|l| l.largest_mm).fold(0.0, f64::max), 3))),

@@ -7,7 +7,6 @@ use super::layout::{Layout, Pane};
 use super::shortcuts;
 use super::theme::{self, Colors};
 use super::widgets::{chip, clock, primary_button};
-use crate::machine::Dialect;
 use crate::papers::{DrawingChoice, Paper, PaperKind};
 use crate::session::{SaveState, Session, Verdict};
 use egui::{Align, Button, KeyboardShortcut, RichText, Ui};
@@ -241,8 +240,7 @@ fn verdict(ui: &mut Ui, session: &Session, colors: &Colors, requests: &mut Reque
         Verdict::Pending => ("Proving…".to_owned(), colors.plot.quiet, colors.inset),
         Verdict::NoProgram => ("No program".to_owned(), colors.plot.quiet, colors.inset),
         Verdict::Proved { time_s, blocks } => {
-            let orac = session.derived().and_then(|d| d.machine.as_ref()).is_none_or(|m| m.dialect == Dialect::Orac);
-            let what = if orac { "pages" } else { "blocks" };
+            let what = if session.is_in_pages() { "pages" } else { "blocks" };
             (format!("✔ Proved · {} · {blocks} {what}", clock(time_s)), colors.good, colors.good_ground)
         }
         Verdict::Failed { errors: 1 } => ("✗ 1 error".to_owned(), colors.plot.wrong, colors.wrong_ground),

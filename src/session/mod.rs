@@ -6,6 +6,7 @@ mod problems;
 
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::document::{Content, Document, TurnedPart};
+use crate::machine::Dialect;
 use crate::proof::{FindingKind, ProgramText, ProofReport};
 use crate::regen::{Derived, Operations, SetupDerived};
 use crate::worker::{Outcome, Regenerate, Worker};
@@ -313,6 +314,13 @@ impl Session {
     #[must_use]
     pub fn program(&self) -> Option<&ProgramText> {
         self.setup()?.programs.get(self.selection.program)
+    }
+
+    /// True if the programs of its machine are made of the ORAC's pages.
+    #[must_use]
+    pub fn is_in_pages(&self) -> bool {
+        let machine = self.derived.as_ref().and_then(|d| d.machine.as_ref());
+        machine.is_some_and(|machine| machine.dialect == Dialect::Orac)
     }
 
     /// Lights up what belongs to `hovered`: what is under the pointer, or else to the selected operation. True if something
