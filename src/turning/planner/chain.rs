@@ -74,6 +74,56 @@ impl Chain {
         Self { pieces: self.pieces.iter().map(Piece::negated).collect() }
     }
 
+    /// The function with z turned round.
+    pub(super) fn mirrored(&self) -> Self {
+        Self { pieces: self.pieces.iter().rev().map(Piece::mirrored).collect() }
+    }
+
+    /// Takes away what lies above `lower`, which has no gaps. Only the pieces beside it are touched.
+    pub(super) fn cut(&mut self, lower: &Self) {
+        let (Some(first), Some(last)) = (lower.pieces.first(), lower.pieces.last()) else { return };
+        let from = self.pieces.partition_point(|p| p.z1 <= first.z0);
+        let to = self.pieces.partition_point(|p| p.z0 < last.z1);
+        let Some(under) = self.pieces.get(from..to) else { return };
+        let (Some(a), Some(b)) = (under.first(), under.last()) else { return };
+        let (z0, z1) = (a.z0, b.z1);
+        let mut left = Self { pieces: under.to_vec() }.min(lower).clipped(z0, z1);
+        left.pieces.retain(|p| p.highest() > 0.0);
+        self.pieces.splice(from..to, left.pieces);
+    }
+
+    /// Takes away what lies between `low` and `high` where that reaches the top; gives the stretches where it does not, and
+    /// something hangs over what was taken.
+    pub(super) fn uncover(&mut self, low: &Self, high: &Self) -> Vec<Run> {
+        let (Some(first), Some(last)) = (low.pieces.first(), low.pieces.last()) else { return Vec::new() };
+        let near = self.clipped(first.z0, last.z1);
+        let (taken, hanging) = (near.runs_over(low, EQUAL_MM), near.runs_over(high, EQUAL_MM));
+        let hidden: Vec<Run> = hanging
+            .iter()
+            .flat_map(|h| taken.iter().map(move |t| Run { z0: h.z0.max(t.z0), z1: h.z1.min(t.z1) }))
+            .filter(|run| run.width() > SAME_MM)
+            .collect();
+        let mut from = first.z0;
+        for run in hidden.iter().chain([&Run { z0: last.z1, z1: last.z1 }]) {
+            if run.z0 - from > SAME_MM {
+                self.cut(&low.clipped(from, run.z0));
+            }
+            from = run.z1;
+        }
+        hidden
+    }
+
+    /// Takes a stretch out.
+    pub(super) fn remove(&mut self, z0: f64, z1: f64) {
+        let from = self.pieces.partition_point(|p| p.z1 <= z0);
+        let to = self.pieces.partition_point(|p| p.z0 < z1);
+        let Some(over) = self.pieces.get(from..to) else { return };
+        let sides = [(f64::NEG_INFINITY, z0), (z1, f64::INFINITY)];
+        let left: Vec<Piece> =
+            sides.iter().flat_map(|&(a, b)| over.iter().filter_map(move |p| p.clipped(a, b))).collect();
+        self.pieces.splice(from..to, left);
+    }
+
     /// The larger of two functions; where one has a gap, the other.
     pub(super) fn max(&self, other: &Self) -> Self {
         let mut out = Self { pieces: Vec::with_capacity(self.pieces.len() + other.pieces.len()) };
@@ -146,6 +196,17 @@ impl Chain {
                 Self::largest(left).max(&Self::largest(right))
             }
         }
+    }
+
+    /// Area between this function and another one where this is above it, mm²; where the other has a gap nothing counts.
+    pub(super) fn area_over(&self, other: &Self) -> f64 {
+        let runs = self.runs_over(other, EQUAL_MM);
+        let area = |chain: &Self, run: &Run| -> f64 {
+            chain.over(run.z0, run.z1).filter_map(|p| p.clipped(run.z0, run.z1)).map(|p| p.area()).sum()
+        };
+        let (Some(first), Some(last)) = (other.pieces.first(), other.pieces.last()) else { return 0.0 };
+        let inside = runs.iter().map(|r| Run { z0: r.z0.max(first.z0), z1: r.z1.min(last.z1) });
+        inside.filter(|r| r.width() > 0.0).map(|r| area(self, &r) - area(other, &r)).sum()
     }
 
     /// Where the function is not above `level`, in order of z; gaps do not count.

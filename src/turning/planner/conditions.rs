@@ -30,6 +30,9 @@ struct Power {
 /// The angle between cutting edge and direction of feed that needs the most power, degrees.
 const SQUARE_DEG: f64 = 90.0;
 
+/// A chip whose width was measured counts as this much wider: short moves are rounded.
+const WIDER: f64 = 1.05;
+
 /// How the speed follows the radius.
 #[derive(Debug, Clone, PartialEq)]
 enum Turning {
@@ -130,16 +133,21 @@ impl Conditions {
         all.iter().all(|v| v.is_finite() && *v > 0.0) && self.depth >= 0.0 && self.allowance >= 0.0
     }
 
+    /// True if the spindle's power limits the feed.
+    pub(super) const fn knows_power(&self) -> bool {
+        self.power.is_some()
+    }
+
     /// Feed and speed of a cut between two radii as the planner counts them, mm: the speed at the end, and the feed that the
-    /// spindle's power allows at both.
-    pub(super) fn cut(&self, from: f64, to: f64) -> Cut {
+    /// spindle's power allows at both for a chip of `width` mm, at least that of the operation.
+    pub(super) fn cut(&self, from: f64, to: f64, width: f64) -> Cut {
         let (from, to) = (self.side.radius(from), self.side.radius(to));
         let speed = match self.turning {
             Turning::Surface { m_per_min, max_rpm } => Speed::Surface { m_per_min, max_rpm },
             Turning::ByRadius { .. } | Turning::Steps { .. } => Speed::Rpm(self.rpm(to)),
         };
         let cut = Cut { feed: self.feed, speed };
-        self.limited(self.limited(cut, from), to)
+        self.limited(self.limited(cut, from, width), to, width)
     }
 
     /// Radius of the part for a radius of the planner, mm.
@@ -148,17 +156,17 @@ impl Conditions {
     }
 
     /// The cut with no more feed than the spindle's power allows at a radius of the part, mm.
-    fn limited(&self, cut: Cut, radius: f64) -> Cut {
+    fn limited(&self, cut: Cut, radius: f64, width: f64) -> Cut {
         let (Some(power), Feed::PerRev(feed_mm_per_rev)) = (&self.power, cut.feed) else { return cut };
         let rpm = cut.rpm_at(radius);
         let speed = std::f64::consts::TAU * radius.abs() * rpm / 1000.0;
-        let chip = Chip { depth_mm: power.width, feed_mm_per_rev, approach_deg: SQUARE_DEG };
+        let chip = Chip { depth_mm: power.width.max(WIDER * width), feed_mm_per_rev, approach_deg: SQUARE_DEG };
         Cut { feed: Feed::PerRev(power.spindle.feed_within_power(&power.material, chip, speed, rpm)), ..cut }
     }
 
     /// Feed and a fixed speed, that of an edge at `radius` mm of the part: for drills, whose programmed point is on the axis.
     pub(super) fn fixed(&self, radius: f64) -> Cut {
-        self.limited(Cut { feed: self.feed, speed: Speed::Rpm(self.rpm(radius)) }, radius)
+        self.limited(Cut { feed: self.feed, speed: Speed::Rpm(self.rpm(radius)) }, radius, 0.0)
     }
 
     /// Spindle speed with the programmed point at `radius` mm of the part, rev/min.

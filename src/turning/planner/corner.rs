@@ -17,6 +17,7 @@ pub(super) fn sharpened(path: &[Segment], rolled: f64) -> Vec<Segment> {
     for (k, segment) in path.iter().enumerate() {
         let segment = start.take().map_or(*segment, |p| starting_at(segment, p));
         let meeting = is_rolled(&segment, rolled)
+            .filter(|_| bulges(out.last(), &segment, path.get(k + 1)))
             .and_then(|center| meeting(out.last()?, path.get(k + 1)?, center, rolled, segment.point_at(0.5)));
         match (meeting, out.last_mut()) {
             (Some(corner), Some(before)) => {
@@ -37,6 +38,16 @@ fn is_rolled(segment: &Segment, rolled: f64) -> Option<Point> {
         }
         _ => None,
     }
+}
+
+/// True if the path turns the arc's way at both of its ends, or not at all: where it turns the other way, in a hollow corner, a
+/// neighbour prolonged would run under the arc.
+fn bulges(before: Option<&Segment>, arc: &Segment, after: Option<&Segment>) -> bool {
+    /// Sine of a turn that rounding makes.
+    const STRAIGHT: f64 = 1e-6;
+    let turn = |a: Vector, b: Vector| a.perp(&b) >= -STRAIGHT;
+    before.is_some_and(|s| turn(s.direction_at(1.0), arc.direction_at(0.0)))
+        && after.is_some_and(|s| turn(arc.direction_at(1.0), s.direction_at(0.0)))
 }
 
 /// Where the way before, prolonged, meets the way after, prolonged backwards.
@@ -113,5 +124,7 @@ mod tests {
         assert_eq!(into_arc.len(), 2);
         assert!((into_arc[1].start().distance(p(0.0, 7.0)) - 4.0).abs() < 1e-12);
         assert_eq!(sharpened(&square, 0.5).len(), 3, "an arc of the part stays");
+        let into_hollow = [Segment::line(p(3.0, 4.0), p(1.0, 2.0)), nose, square[2]];
+        assert_eq!(sharpened(&into_hollow, 1.0).len(), 3, "a line that runs into the arc from above stays");
     }
 }

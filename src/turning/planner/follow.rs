@@ -1,9 +1,9 @@
 //! Passes along the limit of a tool: cleaning after roughing, and finishing.
 
 use super::chain::{Chain, Run};
-use super::link::{self, CLEARANCE_MM};
+use super::link::{self, CLEARANCE_MM, go};
 use super::path::Path;
-use super::piece::SAME_MM;
+use super::piece::{Piece, SAME_MM};
 use super::tool::Cutter;
 use super::trace::{ArcRules, trace};
 use super::work::{AIR_MM, Limit, Work};
@@ -15,10 +15,24 @@ const OVERLAP_MM: f64 = 0.3;
 /// Passes that are closer than this are made in one, mm.
 const JOINED_MM: f64 = 3.0;
 
+/// How often the limit is raised over what would be left beside the pass.
+const MOST_RAISES: u32 = 4;
+
+/// The limit is raised where something is more than this above it, mm.
+const RAISED_MM: f64 = 1e-4;
+
+/// How often a pass goes round something in its way before the rest of it is left out.
+const MOST_PARTS: u32 = 8;
+
+/// Distance that a pass keeps from what is in its way, mm.
+const SHORTENED_MM: f64 = 0.01;
+
+/// Parts of a pass shorter than this are left out, mm.
+const SHORTEST_MM: f64 = 0.05;
+
 /// A pass along the limit.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Follow<'a> {
-    pub(super) work: &'a Work,
     pub(super) cutter: &'a Cutter,
     pub(super) limit: &'a Limit,
     /// What the limit leaves on the contour, mm.
@@ -29,14 +43,40 @@ pub(super) struct Follow<'a> {
 }
 
 impl Follow<'_> {
+    /// Cuts along the limit wherever it is worth it.
+    pub(super) fn cut(&self, path: &mut Path<'_>) {
+        let limit = Limit { chain: self.settled(&path.work.stock), ..*self.limit };
+        let follow = Follow { limit: &limit, ..*self };
+        for run in follow.runs(&path.work) {
+            let rolled = self.cutter.nose + self.allowance;
+            follow.pass(path, trace(&limit.chain, run.z0, run.z1, rolled, self.rules));
+        }
+    }
+
+    /// The limit raised over stock that would be left in the way of holder and back of the insert. What that does not find
+    /// stops the pass.
+    fn settled(&self, stock: &Chain) -> Chain {
+        let Limit { chain, z0, z1 } = self.limit;
+        let mut low = chain.clone();
+        let (Some(first), Some(last)) = (stock.pieces.first(), stock.pieces.last()) else { return low };
+        for _ in 0..MOST_RAISES {
+            let left = stock.min(&Work::left_by(&self.cutter.cutting, &segments(&low))).clipped(first.z0, last.z1);
+            let needed = self.cutter.guard.over(&left).clipped(*z0, *z1);
+            if needed.runs_over(&low, RAISED_MM).is_empty() {
+                break;
+            }
+            low = low.max(&needed);
+        }
+        low
+    }
+
     /// Stretches of programmed positions where the tool has something to cut, from right to left.
-    pub(super) fn runs(&self) -> Vec<Run> {
-        let path = self.limit.chain.pieces.iter().map(super::piece::Piece::towards_chuck).collect::<Vec<_>>();
-        let reached = Work::left_by(self.cutter, &path);
-        let stock = self.work.stock.clipped(self.work.from_z, f64::INFINITY);
+    fn runs(&self, work: &Work) -> Vec<Run> {
+        let reached = Work::left_by(&self.cutter.edge, &segments(&self.limit.chain));
+        let (from, to) = work.range();
         let (left, right) = self.cutter.contact();
         let mut runs: Vec<Run> = Vec::new();
-        for full in stock.runs_over(&reached, self.worth) {
+        for full in work.stock.clipped(from, to).runs_over(&reached, self.worth) {
             let z0 = (full.z0 - right - OVERLAP_MM).max(self.limit.z0);
             let z1 = self.begun_at_the_wall(full.z1, (full.z1 - left + OVERLAP_MM).min(self.limit.z1));
             match runs.last_mut() {
@@ -58,26 +98,40 @@ impl Follow<'_> {
         wall.map_or(z1, |w| w[0].z1)
     }
 
-    /// Cuts along the limit over `runs`.
-    pub(super) fn cut(&self, path: &mut Path<'_>, runs: &[Run], air: &Chain, ceiling: f64) {
-        for run in runs {
-            let way = trace(&self.limit.chain, run.z0, run.z1, self.cutter.nose + self.allowance, self.rules);
-            let Some(first) = way.first() else { continue };
-            let start = first.start();
-            link::link(path, self.lead_in(first, air), air, ceiling);
-            path.line(start);
-            for segment in &way {
-                path.along(segment);
+    /// Makes a pass, in parts where something is in its way.
+    fn pass(&self, path: &mut Path<'_>, mut way: Vec<Segment>) {
+        for _ in 0..MOST_PARTS {
+            let Some(blocked) = path.blocked(&way) else {
+                self.make(path, &way);
+                return;
+            };
+            let head = up_to(&way, blocked.index, blocked.zone.z1 + SHORTENED_MM);
+            if path.blocked(&head).is_none() {
+                self.make(path, &head);
             }
-            lead_out(path, way.last(), air);
+            way = beyond(&way, blocked.index, blocked.zone.z0 - SHORTENED_MM);
         }
     }
 
+    fn make(&self, path: &mut Path<'_>, way: &[Segment]) {
+        let Some(first) = way.first().filter(|_| way.iter().map(Segment::length).sum::<f64>() > SHORTEST_MM) else {
+            return;
+        };
+        let start = self.lead_in(first, path);
+        go(path, start);
+        path.line(first.start());
+        for segment in way {
+            path.along(segment);
+        }
+        lead_out(path, way.last());
+    }
+
     /// A place in air from which the pass begins: behind its first direction if that is free, else above.
-    fn lead_in(&self, first: &Segment, air: &Chain) -> Point {
+    fn lead_in(&self, first: &Segment, path: &Path<'_>) -> Point {
         let start = first.start();
         let behind = start - first.direction_at(0.0) * AIR_MM;
         let inside = (self.limit.z0..=self.limit.z1).contains(&behind.z) && behind.r >= start.r.min(0.0) - SAME_MM;
+        let air = path.air(start.z.min(behind.z), start.z.max(behind.z), start.r.min(behind.r) - CLEARANCE_MM);
         let low = air.at(behind.z).unwrap_or(f64::NEG_INFINITY);
         if inside && behind.r >= low + CLEARANCE_MM.min(AIR_MM) / 2.0 && link::is_free(behind, start, &self.limit.chain)
         {
@@ -89,10 +143,31 @@ impl Follow<'_> {
 }
 
 /// Leaves the contour the way it ends if air is there.
-fn lead_out(path: &mut Path<'_>, last: Option<&Segment>, air: &Chain) {
+fn lead_out(path: &mut Path<'_>, last: Option<&Segment>) {
     let Some(last) = last else { return };
     let ahead = path.at + last.direction_at(1.0) * CLEARANCE_MM;
-    if ahead.r > path.at.r && link::is_free(path.at, ahead, air) {
+    let here = path.air_here(path.at.z.min(ahead.z), path.at.z.max(ahead.z), path.at.r);
+    if ahead.r > path.at.r && link::leaves(path, ahead, &here) {
         path.rapid(ahead);
     }
+}
+
+/// A function as the way along it towards the chuck.
+fn segments(chain: &Chain) -> Vec<Segment> {
+    chain.pieces.iter().map(Piece::towards_chuck).collect()
+}
+
+/// The way up to a position on one of its segments.
+fn up_to(way: &[Segment], index: usize, z: f64) -> Vec<Segment> {
+    let cut = way.get(index).and_then(Piece::of).and_then(|p| p.clipped(z, f64::INFINITY));
+    way.iter().take(index).copied().chain(cut.map(|p| p.towards_chuck())).collect()
+}
+
+/// The way from a position on or behind one of its segments.
+fn beyond(way: &[Segment], index: usize, z: f64) -> Vec<Segment> {
+    let rest = way.iter().skip(index).filter_map(|s| match Piece::of(s) {
+        Some(piece) => piece.clipped(f64::NEG_INFINITY, z).map(|p| p.towards_chuck()),
+        None => (s.start().z < z).then_some(*s),
+    });
+    rest.collect()
 }

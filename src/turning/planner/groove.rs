@@ -1,23 +1,13 @@
 //! Plunges with a blade where no turning tool could go.
 
 use super::chain::{Chain, Run};
-use super::link::{self, CLEARANCE_MM};
+use super::link::{CLEARANCE_MM, go};
 use super::path::Path;
-use super::piece::SAME_MM;
 use super::work::Limit;
-use crate::geometry::Point;
+use crate::geometry::{Point, Segment};
 
 /// Stock lower than this over what the blade can reach is left to the pass along the contour, mm.
 const WORTH_MM: f64 = 0.3;
-
-/// Walls lower than this are left to the pass along the contour, mm.
-const SHORTEST_WALL_MM: f64 = 0.1;
-
-/// A wall is cut if there is more stock than this at its foot, mm.
-const LEAST_AT_WALL_MM: f64 = 0.005;
-
-/// Width beside a wall in which stock is looked for, mm.
-const BESIDE_WALL_MM: f64 = 0.1;
 
 /// Plunges at most in one groove; a blade that needs more has no width.
 const MOST_PLUNGES: u32 = 10_000;
@@ -35,39 +25,16 @@ fn positions(run: Run, step: f64) -> impl Iterator<Item = f64> {
     (0..=count).map(move |k| run.z1 - run.width() * f64::from(k) / f64::from(count))
 }
 
-/// The moves of the plunges.
-pub(super) fn cut(path: &mut Path<'_>, plunges: &[f64], limit: &Limit, air: &Chain, ceiling: f64) {
+/// Makes the plunges that nothing is in the way of.
+pub(super) fn cut(path: &mut Path<'_>, plunges: &[f64], limit: &Limit) {
     for &z in plunges {
-        let (Some(bottom), Some(top)) = (limit.chain.at(z), air.at(z)) else { continue };
-        let above = Point::new(z, top.max(bottom) + CLEARANCE_MM);
-        link::link(path, above, air, ceiling);
-        path.line(Point::new(z, bottom));
-        path.rapid(above);
-    }
-}
-
-/// The walls of grooves from right to left, each with the height of its foot: where the limit for the finished contour jumps,
-/// with stock beside. A blade cuts them on its way down only; its sides do not cut on the way up.
-pub(super) fn walls(limit: &Limit, touch: &Chain) -> Vec<Point> {
-    let jumps = limit.chain.pieces.windows(2).map(|w| (w[0].right(), w[1].left()));
-    let feet = jumps.filter(|(a, b)| (a.r - b.r).abs() > SHORTEST_WALL_MM).filter_map(|(a, b)| {
-        // Stock on the open side of the wall.
-        let (foot, stock) = if a.r < b.r {
-            (a, touch.highest(a.z - BESIDE_WALL_MM, a.z - SAME_MM))
-        } else {
-            (b, touch.highest(b.z + SAME_MM, b.z + BESIDE_WALL_MM))
-        };
-        (stock > foot.r + LEAST_AT_WALL_MM).then_some(foot)
-    });
-    feet.rev().collect()
-}
-
-/// The moves down the walls.
-pub(super) fn cut_walls(path: &mut Path<'_>, walls: &[Point], air: &Chain, ceiling: f64) {
-    for &foot in walls {
-        let above = Point::new(foot.z, air.at(foot.z).unwrap_or(foot.r).max(foot.r) + CLEARANCE_MM);
-        link::link(path, above, air, ceiling);
-        path.line(foot);
-        path.rapid(above);
+        let Some(bottom) = limit.chain.at(z) else { continue };
+        let top = path.air(z, z, bottom).at(z).map_or(bottom, |r| r.max(bottom));
+        let (above, below) = (Point::new(z, top + CLEARANCE_MM), Point::new(z, bottom));
+        if path.blocked(&[Segment::line(above, below)]).is_none() {
+            go(path, above);
+            path.line(below);
+            go(path, above);
+        }
     }
 }

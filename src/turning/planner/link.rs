@@ -3,7 +3,8 @@
 use super::chain::Chain;
 use super::path::Path;
 use super::piece::{Piece, SAME_MM};
-use crate::geometry::Point;
+use super::work::AIR_MM;
+use crate::geometry::{Point, Vector};
 
 /// Height that a tool keeps above the stock on its way, mm.
 pub(super) const CLEARANCE_MM: f64 = 0.5;
@@ -15,45 +16,96 @@ pub(super) const LEAN: f64 = 0.12;
 /// How far a way may go below what counts as free, mm: rounding, for ways begin and end on cut surfaces.
 const TOUCH_MM: f64 = 1e-6;
 
-/// Goes to `to` through air. `air` is the lowest free place of the programmed point at every z, `ceiling` a height that is
-/// free everywhere.
-pub(super) fn link(path: &mut Path<'_>, to: Point, air: &Chain, ceiling: f64) {
-    for way in ways(path.at, to, air, ceiling) {
-        let corners: Vec<Point> = [path.at].into_iter().chain(way.iter().copied()).collect();
-        if corners.windows(2).all(|w| is_free(w[0], w[1], air)) {
-            for place in way {
-                path.rapid(place);
-            }
-            return;
-        }
+/// Distance that ways keep from what they pass, mm: two roundings of a control's smallest step, and as much again.
+const BESIDE_MM: f64 = 0.003;
+
+/// Where a way begins the tool may still touch what it cut; from here on it keeps its distance, mm.
+const LEAVING_MM: f64 = 0.3;
+
+/// Goes to `to` through air. If there is no air it goes at the feed of cutting.
+pub(super) fn go(path: &mut Path<'_>, to: Point) {
+    let from = path.at;
+    let (low, high) = (from.z.min(to.z), from.z.max(to.z));
+    let lean = LEAN * (path.ceiling - from.r).max(0.0);
+    let air = path.air(low - BESIDE_MM, high + lean + BESIDE_MM, from.r.min(to.r) - BESIDE_MM);
+    let here = path.air_here(low - BESIDE_MM, high + lean + BESIDE_MM, from.r.min(to.r) - BESIDE_MM);
+    let Some(way) = ways(from, to, &air, lean).into_iter().find(|way| all_clear(path, way, &air, &here)) else {
+        return over_everything(path, to, &air);
+    };
+    for place in way {
+        path.rapid(place);
     }
-    // Nothing shorter is free: over everything.
-    path.rapid(Point::new(path.at.z, ceiling));
-    path.rapid(Point::new(to.z, ceiling));
-    path.rapid(to);
 }
 
 /// Ways in order of blocks: straight, round one corner, over what lies between.
-fn ways(from: Point, to: Point, air: &Chain, ceiling: f64) -> [Vec<Point>; 6] {
+fn ways(from: Point, to: Point, air: &Chain, lean: f64) -> [Vec<Point>; 7] {
     let (low, high) = (from.z.min(to.z), from.z.max(to.z));
-    let over = (air.highest(low, high) + CLEARANCE_MM).max(from.r).max(to.r).min(ceiling.max(from.r).max(to.r));
-    let leaning = |r: f64| Point::new(from.z + LEAN * (r - from.r).max(0.0), r);
+    let over = (air.highest(low, high) + CLEARANCE_MM).max(from.r).max(to.r);
+    let leaning = |r: f64| Point::new(from.z + (LEAN * (r - from.r)).clamp(0.0, lean), r);
     [
         vec![to],
         vec![leaning(to.r), to],
         vec![Point::new(to.z, from.r), to],
+        vec![Point::new(to.z, over), to],
         vec![leaning(over), Point::new(to.z, over), to],
         vec![Point::new(from.z, to.r), to],
         vec![Point::new(from.z, over), Point::new(to.z, over), to],
     ]
 }
 
+fn all_clear(path: &Path<'_>, way: &[Point], air: &Chain, here: &Chain) -> bool {
+    let corners: Vec<Point> = std::iter::once(path.at).chain(way.iter().copied()).collect();
+    corners.windows(2).enumerate().all(|(k, w)| {
+        if k == 0 { leaves(path, w[1], here) } else { is_free(w[0], w[1], air) && is_apart(w[0], w[1], air, false) }
+    })
+}
+
+/// True if the tool can leave the place where it is straight to `to`.
+pub(super) fn leaves(path: &Path<'_>, to: Point, here: &Chain) -> bool {
+    let from = path.at;
+    // Straight out nothing can come nearer but what hangs over.
+    let out = from.z == to.z && to.r >= from.r;
+    (out || (is_free(from, to, here) && is_apart(from, to, here, true))) && !path.hangs_over(to)
+}
+
+/// True if the way keeps its distance from what it passes, but for where the tool leaves a cut surface.
+fn is_apart(from: Point, to: Point, air: &Chain, leaves: bool) -> bool {
+    let length = from.distance(to);
+    if leaves && length <= LEAVING_MM {
+        return true;
+    }
+    let start = if leaves { from + (to - from) * (LEAVING_MM / length) } else { from };
+    [-BESIDE_MM, BESIDE_MM].into_iter().all(|dz| {
+        let beside = Vector::new(dz, -BESIDE_MM);
+        is_free(start + beside, to + beside, air)
+    })
+}
+
+/// Up, along above everything, and down again as far as there is air; from there at the feed of cutting.
+fn over_everything(path: &mut Path<'_>, to: Point, air: &Chain) {
+    let top = air.highest(f64::NEG_INFINITY, f64::INFINITY) + CLEARANCE_MM;
+    let height = path.ceiling.max(top).max(path.at.r).max(to.r);
+    let up = Point::new(path.at.z, height);
+    if path.hangs_over(up) {
+        let near = air.highest(path.at.z - AIR_MM, path.at.z + AIR_MM) + CLEARANCE_MM;
+        path.line(Point::new(path.at.z, near.max(path.at.r)));
+    }
+    path.rapid(up);
+    path.rapid(Point::new(to.z, height));
+    let low = air.highest(to.z - BESIDE_MM, to.z + BESIDE_MM).max(to.r);
+    path.rapid(Point::new(to.z, if low > to.r { low + CLEARANCE_MM } else { to.r }));
+    path.line(to);
+}
+
 /// True if the straight way between two points stays on or above `air`.
 pub(super) fn is_free(from: Point, to: Point, air: &Chain) -> bool {
+    if air.pieces.is_empty() {
+        return true;
+    }
     if (from.z - to.z).abs() <= SAME_MM {
         // Beside a wall the lower side counts: the tool may touch it.
-        let here = air.over(from.z - 2.0 * SAME_MM, from.z + 2.0 * SAME_MM).map(|p| p.at(from.z.clamp(p.z0, p.z1)));
-        return here.fold(f64::INFINITY, f64::min) <= from.r.min(to.r) + TOUCH_MM || air.at(from.z).is_none();
+        let sides = [-2.0 * SAME_MM, 2.0 * SAME_MM].map(|dz| air.at(from.z + dz).unwrap_or(f64::NEG_INFINITY));
+        return sides[0].min(sides[1]) <= from.r.min(to.r) + TOUCH_MM;
     }
     let (a, b) = if from.z < to.z { (from, to) } else { (to, from) };
     let way = Chain { pieces: vec![Piece::line(a, b)] };

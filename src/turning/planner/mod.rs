@@ -9,13 +9,13 @@
 //! |---|---|
 //! | `piece`, `chain` | functions of z: values, the larger of two, where one is above the other |
 //! | `outline`, `shape`, `dilate` | outlines of tools turned over and rolled along functions |
-//! | `tool`, `work` | what a tool is for; contour, jaws, stock, limits |
+//! | `tool`, `guard`, `work` | what a tool is for, what of it must not meet stock; contour, jaws, stock, limits |
 //! | `trace`, `corner`, `path`, `link` | limits as paths that a control can take; moves; ways through air |
 //! | `rough`, `follow`, `groove`, `thread` | one kind of operation each |
 //! | `side` | a bore seen as an outside |
 //! | `recipes`, `rough_recipe` | contours for controls that compensate the nose, or rough by a cycle of their own |
 //! | `left` | what no tool could reach |
-//! | `conditions`, `order` | feeds, speeds, depths; which tool does what, and when |
+//! | `conditions`, `hand`, `order` | feeds, speeds, depths; which tool does what, and when |
 //! | `order/face`, `order/drill`, `order/bore`, `order/part_off` | facing of the free end; the bore; parting off |
 //! | `order/threads`, `order/thread_passes` | threads of one side; their passes |
 
@@ -25,6 +25,8 @@ mod corner;
 mod dilate;
 mod follow;
 mod groove;
+mod guard;
+mod hand;
 mod left;
 mod link;
 mod order;

@@ -7,21 +7,20 @@ mod part_off;
 mod thread_passes;
 mod threads;
 
-use super::chain::Chain;
 use super::conditions::Conditions;
 use super::follow::Follow;
-use super::groove;
 use super::left::{self, Left};
-use super::link;
+use super::link::{LEAN, go};
 use super::path::Path;
 use super::rough::Rough;
 use super::side::Side;
 use super::tool::{Cutter, Use};
 use super::trace::ArcRules;
 use super::work::Work;
+use super::{groove, hand};
 use crate::diagnostic::{Diagnostic, Place, SectionTable, Severity};
 use crate::geometry::Point;
-use crate::machine::Machine;
+use crate::machine::{Machine, ToolOutline};
 use crate::part::{PartContour, Setup};
 use crate::turning::{Operation, OperationKind, Task};
 
@@ -30,6 +29,9 @@ const CLEANED_SHARE: f64 = 0.4;
 
 /// The same where blocks are scarce: finishing may take a full depth, but not more.
 const CLEANED_SHARE_SPARING: f64 = 1.05;
+
+/// Depth of a cut below the height of the edge, mm: the last bit of an edge is no good.
+const EDGE_KEPT_MM: f64 = 0.05;
 
 /// A control that holds fewer blocks than this is spared passes that only even out the load.
 const SCARCE_BLOCKS: usize = 500;
@@ -77,7 +79,7 @@ impl<'a> Order<'a> {
             side: Side::Outside,
             work: Work::new(task.setup, contour, task.machine),
             rules: ArcRules::from(&task.machine.limits),
-            cutters: task.tools.iter().filter_map(|(&station, outline)| Cutter::new(station, outline)).collect(),
+            cutters: task.tools.iter().filter_map(|(&station, outline)| cutter(station, outline, task.setup)).collect(),
             operations: Vec::new(),
             diagnostics: Vec::new(),
         }
@@ -90,16 +92,14 @@ impl<'a> Order<'a> {
 
     /// Plans everything.
     pub(super) fn plan(&mut self, setup: &Setup, contour: &PartContour) {
-        let of = |wanted: fn(&Use) -> bool| -> Vec<Cutter> {
-            self.cutters.iter().filter(|c| wanted(&c.r#use)).cloned().collect()
+        let of = |wanted: fn(&Cutter) -> bool| -> Vec<Cutter> {
+            self.cutters.iter().filter(|c| wanted(c)).cloned().collect()
         };
-        let (right, left) = (of(|u| *u == Use::Right), of(|u| *u == Use::Left));
-        let (blades, threading) = (of(|u| matches!(u, Use::Blade { .. })), of(|u| *u == Use::Thread));
+        let right = of(|c| c.r#use == Use::Right && !c.turned);
+        let left = of(|c| c.r#use == Use::Left || c.turned);
+        let (blades, threading) = (of(|c| matches!(c.r#use, Use::Blade { .. })), of(|c| c.r#use == Use::Thread));
         self.face(setup);
-        for (k, cutter) in right.iter().chain(&left).enumerate() {
-            self.rough(cutter, if k == 0 { 0.0 } else { TOOL_WORTH_MM });
-            self.finish(cutter, if k == 0 { FINISH_WORTH_MM } else { TOOL_WORTH_MM });
-        }
+        self.turn(&[right, left]);
         for cutter in &blades {
             self.groove(cutter);
         }
@@ -112,6 +112,49 @@ impl<'a> Order<'a> {
             self.part_off(setup, &blades);
         }
         self.missing(setup, blades.is_empty(), threading.is_empty());
+    }
+
+    /// Roughs and finishes with the turning tools of either hand.
+    fn turn(&mut self, hands: &[Vec<Cutter>; 2]) {
+        let first = hands.iter().flatten().next().map(|c| c.station);
+        let depth = first.and_then(|k| self.conditions(OperationKind::RoughRight, k)).map_or(0.0, |c| c.depth);
+        let [right, left] = hands.each_ref().map(|tools| (hand::roughing(tools, depth), hand::finishing(tools)));
+        let stays = |(rough, finish): &(Vec<Cutter>, Vec<Cutter>)| {
+            rough.first().map(|c| c.station) == finish.first().map(|c| c.station)
+        };
+        let mut worth = FINISH_WORTH_MM;
+        let hands = [&right, &left];
+        if stays(&right) && stays(&left) {
+            // Finishing at once spares changes of tool.
+            for (rough, finish) in hands {
+                self.rough_with(rough);
+                self.finish_with(finish.iter().take(1), &mut worth);
+            }
+        } else {
+            for (rough, _) in hands {
+                self.rough_with(rough);
+            }
+            for (_, finish) in hands {
+                self.finish_with(finish.iter().take(1), &mut worth);
+            }
+        }
+        for (_, finish) in hands {
+            self.finish_with(finish.iter().skip(1), &mut worth);
+        }
+    }
+
+    fn rough_with(&mut self, tools: &[Cutter]) {
+        for cutter in tools {
+            self.rough(cutter);
+        }
+    }
+
+    /// Finishes; the first tool cuts all that it can, others what is worth them.
+    fn finish_with<'t>(&mut self, tools: impl Iterator<Item = &'t Cutter>, worth: &mut f64) {
+        for cutter in tools {
+            self.finish(cutter, *worth);
+            *worth = TOOL_WORTH_MM;
+        }
     }
 
     /// The row of a section.
@@ -165,60 +208,55 @@ impl<'a> Order<'a> {
     }
 
     /// The moves of an operation that begins where its tool is changed.
-    fn path<'c>(&self, conditions: &'c Conditions, cutter: &Cutter) -> Path<'c> {
-        Path::new(conditions, self.change(cutter.station).unwrap_or(self.datum))
+    fn path<'c>(&self, conditions: &'c Conditions, cutter: &'c Cutter) -> Path<'c> {
+        let home = self.change(cutter.station).unwrap_or(self.datum);
+        Path::new(conditions, cutter, &self.work, home, self.datum.r)
     }
 
     /// Strokes, then once along what they leave where it is rough.
-    fn rough(&mut self, cutter: &Cutter, worth: f64) {
-        let kind = if cutter.r#use == Use::Left { OperationKind::RoughLeft } else { OperationKind::RoughRight };
+    fn rough(&mut self, cutter: &Cutter) {
+        let left_handed = cutter.turned || cutter.r#use == Use::Left;
+        let kind = if left_handed { OperationKind::RoughLeft } else { OperationKind::RoughRight };
         let Some(conditions) = self.conditions(kind, cutter.station) else { return };
-        let limit = self.work.limit(cutter, conditions.allowance);
-        let touch = cutter.insert.over(&self.work.stock);
-        let air = self.work.air(cutter);
-        let rough = Rough {
-            limit: &limit,
-            touch: &touch,
-            top: self.work.top(),
-            depth: conditions.depth,
-            rolled: cutter.nose + conditions.allowance,
-            rules: self.rules,
-        };
-        let strokes = rough.strokes();
-        let mut path = self.path(&conditions, cutter);
-        rough.cut(&mut path, &strokes, &air, self.datum.r, usize::MAX);
-        if path.moves.len() + MOVES_HOME > self.room() {
-            path = self.path(&conditions, cutter);
-            rough.cut(&mut path, &strokes, &air, self.datum.r, self.room());
-        }
-        let mut after = self.work.clone();
-        after.cut(cutter, &path.cuts);
+        let work = self.work.seen_by(cutter);
+        let limit = work.limit(cutter, conditions.allowance);
         let share =
             if self.machine.limits.blocks_per_program < SCARCE_BLOCKS { CLEANED_SHARE_SPARING } else { CLEANED_SHARE };
-        let worth = (share * conditions.depth).max(worth);
-        let follow =
-            Follow { work: &after, cutter, limit: &limit, allowance: conditions.allowance, worth, rules: self.rules };
-        let runs = follow.runs();
-        follow.cut(&mut path, &runs, &after.air(cutter), self.datum.r);
+        let depth = conditions.depth.min(cutter.reach - EDGE_KEPT_MM);
+        let worth = share * depth;
+        let touch = cutter.insert.over(&work.stock).clipped(limit.z0, limit.z1);
+        if depth <= 0.0 || touch.runs_over(&limit.chain, worth).is_empty() {
+            return;
+        }
+        let rolled = cutter.nose + conditions.allowance;
+        let rough = Rough { limit: &limit, top: work.top(), depth, rolled, rules: self.rules, room: usize::MAX };
+        let mut path = self.path(&conditions, cutter);
+        rough.cut(&mut path);
+        if path.len() + MOVES_HOME > self.room() {
+            path = self.path(&conditions, cutter);
+            Rough { room: self.room(), ..rough }.cut(&mut path);
+        }
+        Follow { cutter, limit: &limit, allowance: conditions.allowance, worth, rules: self.rules }.cut(&mut path);
         self.add(kind, cutter, path);
     }
 
     /// Along the contour wherever something is left that the tool can reach.
     fn finish(&mut self, cutter: &Cutter, worth: f64) {
-        let kind = if cutter.r#use == Use::Left { OperationKind::FinishLeft } else { OperationKind::FinishRight };
-        self.follow(kind, cutter, worth);
-    }
-
-    fn follow(&mut self, kind: OperationKind, cutter: &Cutter, worth: f64) {
+        let left_handed = cutter.turned || cutter.r#use == Use::Left;
+        let kind = if left_handed { OperationKind::FinishLeft } else { OperationKind::FinishRight };
         let Some(conditions) = self.conditions(kind, cutter.station) else { return };
-        let limit = self.work.limit(cutter, 0.0);
         let mut path = self.path(&conditions, cutter);
-        let follow = Follow { work: &self.work, cutter, limit: &limit, allowance: 0.0, worth, rules: self.rules };
-        let runs = follow.runs();
-        follow.cut(&mut path, &runs, &self.work.air(cutter), self.datum.r);
+        self.follow(&mut path, cutter, worth);
         self.add(kind, cutter, path);
     }
 
+    /// Along the finished contour.
+    fn follow(&self, path: &mut Path<'_>, cutter: &Cutter, worth: f64) {
+        let limit = path.work.limit(cutter, 0.0);
+        Follow { cutter, limit: &limit, allowance: 0.0, worth, rules: self.rules }.cut(path);
+    }
+
+    /// Plunges, then down along either wall.
     fn groove(&mut self, cutter: &Cutter) {
         let Use::Blade { width } = cutter.r#use else { return };
         let Some(conditions) = self.conditions(OperationKind::Groove, cutter.station) else { return };
@@ -228,30 +266,33 @@ impl<'a> Order<'a> {
         if plunges.is_empty() {
             return;
         }
+        let seen = self.task.tools.get(&cutter.station).and_then(|outline| self.side.tool(outline));
+        let twin = seen.and_then(|outline| Cutter::turned(cutter.station, &outline));
         let mut path = self.path(&conditions, cutter);
-        let air = self.work.air(cutter);
-        groove::cut(&mut path, &plunges, &limit, &air, self.datum.r);
-        let walls = groove::walls(&self.work.limit(cutter, 0.0), &touch);
-        groove::cut_walls(&mut path, &walls, &air, self.datum.r);
+        groove::cut(&mut path, &plunges, &limit);
+        self.follow(&mut path, cutter, TOOL_WORTH_MM);
+        if let Some(twin) = &twin {
+            path.turn(twin);
+            self.follow(&mut path, twin, TOOL_WORTH_MM);
+        }
         self.add(OperationKind::Groove, cutter, path);
-        self.follow(OperationKind::Groove, cutter, TOOL_WORTH_MM);
     }
 
     /// Takes what was cut from the stock, brings the tool home and keeps the operation, if it does anything.
     fn add(&mut self, kind: OperationKind, cutter: &Cutter, mut path: Path<'_>) {
-        self.work.cut(cutter, &path.cuts);
-        let air: Chain = self.work.air(cutter);
         if let Side::Inside { .. } = self.side {
             // Off the wall, and out along the hole.
             let height = self.datum.r.max(path.at.r);
-            let off = Point::new(path.at.z + link::LEAN * (height - path.at.r), height);
-            link::link(&mut path, off, &air, height);
+            let off = Point::new(path.at.z + LEAN * (height - path.at.r), height);
+            go(&mut path, off);
         }
-        path.home(&air, self.datum.r);
+        path.home();
+        let (rounds, work) = path.done();
+        self.work = work;
         let change = self.change(cutter.station);
         let kind = self.side.kind(kind);
         let name = kind.name();
-        self.operations.extend(path.rounds().into_iter().map(|moves| Operation {
+        self.operations.extend(rounds.into_iter().map(|moves| Operation {
             kind,
             name: name.to_owned(),
             tool: cutter.station,
@@ -305,5 +346,14 @@ impl<'a> Order<'a> {
         let message = format!("The part has {what}, and {} has no {tool} in its turret.", self.machine.name);
         let said = Diagnostic::warning("tool-missing", Place::Document, message);
         self.diagnostics.push(said.with_hint("Add the tool to the machine."));
+    }
+}
+
+/// A tool as it is planned: where both directions may be cut, one that cuts away from the headstock is seen from the other end.
+fn cutter(station: u32, outline: &ToolOutline, setup: &Setup) -> Option<Cutter> {
+    if setup.may_cut_both_ways() && !outline.cuts_towards_headstock() && outline.cuts_away_from_headstock() {
+        Cutter::turned(station, outline)
+    } else {
+        Cutter::new(station, outline)
     }
 }

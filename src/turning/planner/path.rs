@@ -1,47 +1,85 @@
-//! Builds the moves of an operation; knows where the tool is and what it cut.
+//! Builds the moves of an operation; knows where the tool is, what it cut, and what is in its way.
 
-use super::chain::Chain;
+use super::chain::{Chain, Run};
 use super::conditions::Conditions;
-use super::link::link;
+use super::link::go;
+use super::piece::{Piece, SAME_MM};
+use super::shape::Shape;
+use super::tool::Cutter;
 use super::trace::one_direction;
-use crate::geometry::{Point, Segment};
+use super::work::{Work, covered_along, left_along};
+use crate::geometry::{Bounds, Point, Segment};
 use crate::turning::{Cut, CutMove};
 
 /// Moves shorter than this are left out, mm: half of a control's smallest step.
 const NO_MOVE_MM: f64 = 0.0005;
 
-/// The moves of one operation so far.
+/// Overlap below which nothing is in the way, mm: rounding, for tools go along cut surfaces.
+const TOUCH_MM: f64 = 1e-5;
+
+/// A vertical move counts with this width, mm: a function of z needs one.
+const UPRIGHT_MM: f64 = 1e-6;
+
+/// The moves of one operation so far. Places are as the tool sees them; the moves are the machine's.
 #[derive(Debug, Clone)]
 pub(super) struct Path<'a> {
     conditions: &'a Conditions,
+    cutter: &'a Cutter,
+    /// The work as it is now.
+    pub(super) work: Work,
+    /// A height at which tools pass the work, mm.
+    pub(super) ceiling: f64,
     /// Where the programmed point is.
     pub(super) at: Point,
-    pub(super) moves: Vec<CutMove>,
-    /// Where it went while cutting.
-    pub(super) cuts: Vec<Segment>,
+    moves: Vec<CutMove>,
+    /// The last cut.
+    last: Option<Segment>,
     /// Where the tool is changed.
     home: Point,
     /// How many moves had been made whenever it was back there.
     homes: Vec<usize>,
 }
 
+/// Where holder or a side that cannot cut would run into stock.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Blocked {
+    /// Which segment of the way.
+    pub(super) index: usize,
+    /// Positions of the programmed point.
+    pub(super) zone: Run,
+}
+
 impl<'a> Path<'a> {
-    /// No moves yet; the tool is at `at`, where it is changed.
-    pub(super) const fn new(conditions: &'a Conditions, at: Point) -> Self {
-        Self { conditions, at, moves: Vec::new(), cuts: Vec::new(), home: at, homes: Vec::new() }
+    /// No moves yet; the tool is at `home`, where it is changed.
+    pub(super) fn new(conditions: &'a Conditions, cutter: &'a Cutter, work: &Work, home: Point, ceiling: f64) -> Self {
+        let home = if cutter.turned { home.mirrored_at_z(0.0) } else { home };
+        let work = work.seen_by(cutter);
+        Self { conditions, cutter, work, ceiling, at: home, moves: Vec::new(), last: None, home, homes: Vec::new() }
     }
 
-    /// Through air to `to`.
+    /// The same tool as seen from the other end.
+    pub(super) fn turn(&mut self, twin: &'a Cutter) {
+        if twin.turned != self.cutter.turned {
+            self.work = self.work.turned_round();
+            self.at = self.at.mirrored_at_z(0.0);
+            self.home = self.home.mirrored_at_z(0.0);
+            self.last = None;
+        }
+        self.cutter = twin;
+    }
+
+    /// Through air to `to`, whatever is there: [`go`] looks first.
     pub(super) fn rapid(&mut self, to: Point) {
         if self.at.distance(to) >= NO_MOVE_MM {
-            self.moves.push(CutMove::Rapid { to });
+            self.push(CutMove::Rapid { to });
             self.at = to;
         }
     }
 
     /// Cutting, straight to `to`.
     pub(super) fn line(&mut self, to: Point) {
-        self.line_at(to, self.conditions.cut(self.at.r, to.r));
+        let segment = Segment::line(self.at, to);
+        self.line_at(to, self.conditions.cut(self.at.r, to.r, self.chip_width(&segment)));
     }
 
     /// Cutting, straight to `to`, with a feed and speed of its own.
@@ -49,17 +87,19 @@ impl<'a> Path<'a> {
         if self.at.distance(to) < NO_MOVE_MM {
             return;
         }
-        match (self.moves.last_mut(), self.cuts.last_mut()) {
-            (Some(CutMove::Line { to: end, cut: same }), Some(Segment::Line { start, end: last }))
+        let end = self.seen(to);
+        match (self.moves.last_mut(), self.last.as_mut()) {
+            (Some(CutMove::Line { to: before, cut: same }), Some(Segment::Line { start, end: last }))
                 if *same == cut && one_direction(*start, *last, to) =>
             {
-                (*end, *last) = (to, to);
+                (*before, *last) = (end, to);
             }
             _ => {
-                self.cuts.push(Segment::line(self.at, to));
-                self.moves.push(CutMove::Line { to, cut });
+                self.push(CutMove::Line { to, cut });
+                self.last = Some(Segment::line(self.at, to));
             }
         }
+        self.take(&Segment::line(self.at, to));
         self.at = to;
     }
 
@@ -69,8 +109,10 @@ impl<'a> Path<'a> {
             Segment::Line { end, .. } => self.line(end),
             Segment::Arc { start, end, center, ccw } => {
                 if start.distance(end) >= NO_MOVE_MM {
-                    self.cuts.push(*segment);
-                    self.moves.push(CutMove::Arc { to: end, center, ccw, cut: self.conditions.cut(start.r, end.r) });
+                    let cut = self.conditions.cut(start.r, end.r, self.chip_width(segment));
+                    self.push(CutMove::Arc { to: end, center, ccw, cut });
+                    self.last = Some(*segment);
+                    self.take(segment);
                     self.at = end;
                 }
             }
@@ -78,9 +120,14 @@ impl<'a> Path<'a> {
     }
 
     /// Back to where the tool is changed.
-    pub(super) fn home(&mut self, air: &Chain, ceiling: f64) {
-        link(self, self.home, air, ceiling);
+    pub(super) fn home(&mut self) {
+        go(self, self.home);
         self.homes.push(self.moves.len());
+    }
+
+    /// Moves so far.
+    pub(super) const fn len(&self) -> usize {
+        self.moves.len()
     }
 
     /// Moves since the tool was where it is changed.
@@ -88,8 +135,8 @@ impl<'a> Path<'a> {
         self.moves.len() - self.homes.last().copied().unwrap_or(0)
     }
 
-    /// The moves from home to home.
-    pub(super) fn rounds(mut self) -> Vec<Vec<CutMove>> {
+    /// The moves from home to home, and the work after them as the machine sees it.
+    pub(super) fn done(mut self) -> (Vec<Vec<CutMove>>, Work) {
         let mut rounds = Vec::new();
         for &from in self.homes.iter().rev() {
             rounds.push(self.moves.split_off(from.min(self.moves.len())));
@@ -97,17 +144,137 @@ impl<'a> Path<'a> {
         rounds.push(self.moves);
         rounds.retain(|moves| moves.iter().any(|m| !matches!(m, CutMove::Rapid { .. })));
         rounds.reverse();
-        rounds
+        (rounds, if self.cutter.turned { self.work.turned_round() } else { self.work })
     }
 
     /// A threading pass to `to`; what it cuts is not taken from the stock, for the crest stays.
     pub(super) fn thread(&mut self, pass: CutMove, to: Point) {
-        self.moves.push(pass);
+        self.push(pass);
         self.at = to;
     }
 
-    /// A move that ends where it began, such as a thread.
-    pub(super) fn push(&mut self, cycle: CutMove) {
-        self.moves.push(cycle);
+    /// A move, or one that ends where it began such as a thread.
+    pub(super) fn push(&mut self, m: CutMove) {
+        self.moves.push(if self.cutter.turned { turned_round(m) } else { m });
+        self.last = None;
+    }
+
+    fn seen(&self, p: Point) -> Point {
+        if self.cutter.turned { p.mirrored_at_z(0.0) } else { p }
+    }
+
+    /// Takes away what the insert covers.
+    fn take(&mut self, segment: &Segment) {
+        if self.meets(segment) {
+            self.work.take(self.cutter, segment);
+        }
+    }
+
+    /// Mean width of the chip along a segment, mm, where the spindle's power asks for it.
+    fn chip_width(&self, segment: &Segment) -> f64 {
+        if !self.conditions.knows_power() || !self.meets(segment) {
+            return 0.0;
+        }
+        let low = left_along(&self.cutter.edge, segment);
+        let (z0, z1) = self.window(segment.bounds().min.z, segment.bounds().max.z);
+        self.work.stock.clipped(z0, z1).area_over(&low) / segment.length().max(NO_MOVE_MM)
+    }
+
+    /// True if there may be stock on the way along a segment.
+    fn meets(&self, segment: &Segment) -> bool {
+        let bounds = segment.bounds();
+        let (z0, z1) = self.window(bounds.min.z, bounds.max.z);
+        self.work.cover.over(z0, z1).any(|p| p.highest() > bounds.min.r + self.cutter.low)
+    }
+
+    /// What lies within reach of the tool while its programmed point is between two positions.
+    fn window(&self, z0: f64, z1: f64) -> (f64, f64) {
+        (z0 + self.cutter.extent.0, z1 + self.cutter.extent.1)
+    }
+
+    /// How low the insert may go between two positions without touching stock; only what is above `above` counts.
+    pub(super) fn touch(&self, z0: f64, z1: f64, above: f64) -> Chain {
+        let (from, to) = self.window(z0, z1);
+        self.cutter.insert.over(&higher(&self.work.stock, from, to, above + self.cutter.low)).clipped(z0, z1)
+    }
+
+    /// How low the tool may go between two positions without touching stock or what holds it; only what is above `above`
+    /// counts, and where that is nothing there is no value.
+    pub(super) fn air(&self, z0: f64, z1: f64, above: f64) -> Chain {
+        let ((from, to), above) = (self.window(z0, z1), above + self.cutter.low);
+        let solid = higher(&self.work.cover, from, to, above).max(&higher(&self.work.passed, from, to, above));
+        self.cutter.body.over(&solid)
+    }
+
+    /// The same from where the tool is: without what hangs over it, which [`Path::hangs_over`] knows.
+    pub(super) fn air_here(&self, z0: f64, z1: f64, above: f64) -> Chain {
+        let ((from, to), above) = (self.window(z0, z1), above + self.cutter.low);
+        let solid = higher(&self.work.stock, from, to, above).max(&higher(&self.work.passed, from, to, above));
+        self.cutter.body.over(&solid)
+    }
+
+    /// True if the tool would run into something that hangs over it on its straight way to `to`.
+    pub(super) fn hangs_over(&self, to: Point) -> bool {
+        let (from, end) = self.window(self.at.z.min(to.z), self.at.z.max(to.z));
+        let mut near = self.work.under.over(from, end).peekable();
+        if near.peek().is_none() {
+            return false;
+        }
+        let covered = covered_along(&self.cutter.whole, &Segment::line(self.at, to));
+        near.any(|p| !covered.clipped(p.z0, p.z1).runs_over(&Chain { pieces: vec![*p] }, TOUCH_MM).is_empty())
+    }
+
+    /// The first place of a way where holder or a side that cannot cut runs into stock.
+    pub(super) fn blocked(&self, way: &[Segment]) -> Option<Blocked> {
+        let bounds = way.iter().map(Segment::bounds).reduce(Bounds::union)?;
+        let (from, to) = self.window(bounds.min.z, bounds.max.z);
+        let (guarded, reach) = (self.cutter.guard_low, self.cutter.ahead_low);
+        let floor = bounds.min.r + guarded.min(reach);
+        if !self.work.cover.over(from, to).any(|p| p.highest() > floor) {
+            return None;
+        }
+        let mut stock = self.work.cover.clipped(from, to);
+        for (index, segment) in way.iter().enumerate() {
+            let low = segment.bounds().min.r;
+            let piece = Piece::of(segment);
+            let ahead = piece.and_then(|p| run_into(&self.cutter.ahead, &stock, &p, low + reach, self.cutter.extent));
+            stock.uncover(&left_along(&self.cutter.cutting, segment), &covered_along(&self.cutter.top, segment));
+            let at = segment.bounds();
+            let piece = piece.unwrap_or_else(|| Piece::level(at.min.z - UPRIGHT_MM, at.min.z + UPRIGHT_MM, at.min.r));
+            let beside = run_into(&self.cutter.guard, &stock, &piece, low + guarded, self.cutter.extent);
+            let zone = [ahead, beside].into_iter().flatten().max_by(|a, b| a.z1.total_cmp(&b.z1));
+            if let Some(zone) = zone {
+                return Some(Blocked { index, zone });
+            }
+        }
+        None
+    }
+}
+
+/// The rightmost stretch of `way` where `shape` on it runs into what of `stock` is above `above`.
+fn run_into(shape: &Shape, stock: &Chain, way: &Piece, above: f64, extent: (f64, f64)) -> Option<Run> {
+    let near = higher(stock, way.z0 + extent.0, way.z1 + extent.1, above);
+    if near.pieces.is_empty() {
+        return None;
+    }
+    let needed = shape.over(&near).clipped(way.z0, way.z1);
+    needed.runs_over(&Chain { pieces: vec![*way] }, TOUCH_MM).pop()
+}
+
+/// The pieces between two positions that are anywhere above a height.
+fn higher(chain: &Chain, z0: f64, z1: f64, above: f64) -> Chain {
+    let near = chain.over(z0, z1).filter_map(|p| p.clipped(z0, z1));
+    Chain { pieces: near.filter(|p| p.highest() > above + SAME_MM).collect() }
+}
+
+/// A move seen from the other end of the machine.
+fn turned_round(m: CutMove) -> CutMove {
+    let turn = |p: Point| p.mirrored_at_z(0.0);
+    match m {
+        CutMove::Rapid { to } => CutMove::Rapid { to: turn(to) },
+        CutMove::Line { to, cut } => CutMove::Line { to: turn(to), cut },
+        CutMove::Arc { to, center, ccw, cut } => CutMove::Arc { to: turn(to), center: turn(center), ccw: !ccw, cut },
+        // Tools seen from the other end make no other moves.
+        other => other,
     }
 }

@@ -81,6 +81,23 @@ impl Piece {
         }
     }
 
+    /// Area below the piece down to the axis, mm²; what lies below the axis counts against it.
+    pub(super) fn area(&self) -> f64 {
+        let width = self.z1 - self.z0;
+        match self.form {
+            Form::Line { .. } => width * f64::midpoint(self.at(self.z0), self.at(self.z1)),
+            Form::Arc { center, radius, upper } => {
+                // ∫√(R² − x²) dx = (x·√(R² − x²) + R²·asin(x/R)) / 2.
+                let integral = |z: f64| {
+                    let x = (z - center.z).clamp(-radius, radius);
+                    f64::midpoint(x * (radius * radius - x * x).max(0.0).sqrt(), radius * radius * (x / radius).asin())
+                };
+                let arc = integral(self.z1) - integral(self.z0);
+                center.r * width + if upper { arc } else { -arc }
+            }
+        }
+    }
+
     /// The piece moved by `dz` and `dr`.
     pub(super) fn shifted(&self, dz: f64, dr: f64) -> Self {
         let by = |p: Point| Point::new(p.z + dz, p.r + dr);
@@ -104,6 +121,16 @@ impl Piece {
             Form::Arc { center, radius, upper } => Form::Arc { center: turn(center), radius, upper: !upper },
         };
         Self { form, ..*self }
+    }
+
+    /// The function with z turned round.
+    pub(super) fn mirrored(&self) -> Self {
+        let turn = |p: Point| p.mirrored_at_z(0.0);
+        let form = match self.form {
+            Form::Line { p, q } => Form::Line { p: turn(q), q: turn(p) },
+            Form::Arc { center, radius, upper } => Form::Arc { center: turn(center), radius, upper },
+        };
+        Self { z0: -self.z1, z1: -self.z0, form }
     }
 
     /// The piece as a segment from the larger to the smaller z: the way a tool cuts towards the chuck.
@@ -226,6 +253,13 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn the_area_is_the_sum_of_strips(f in piece()) {
+            let width = (f.z1 - f.z0) / 2000.0;
+            let strips: f64 = (0..2000).map(|k| f.at(f.z0 + width * (f64::from(k) + 0.5)) * width).sum();
+            prop_assert!((f.area() - strips).abs() < 1e-3, "{} {strips}", f.area());
+        }
+
         #[test]
         fn pieces_are_equal_where_they_meet_and_keep_their_order_between(f in piece(), g in piece()) {
             let (low, high) = (f.z0.max(g.z0), f.z1.min(g.z1));

@@ -118,6 +118,19 @@ impl Shape {
         Self { parts }
     }
 
+    /// The boundary given as a function.
+    pub(super) fn of_chain(chain: &Chain) -> Self {
+        let mut parts = Vec::new();
+        add_parts(&chain.pieces, &mut parts);
+        Self { parts }
+    }
+
+    /// Largest value of the boundary from a position on, mm; −∞ without any.
+    pub(super) fn top(&self, from_z: f64) -> f64 {
+        let pieces = self.parts.iter().flat_map(|p| &p.chain.pieces).filter(|p| p.z1 > from_z);
+        pieces.map(Piece::highest).fold(f64::NEG_INFINITY, f64::max)
+    }
+
     /// The boundary as a function.
     #[cfg(test)]
     pub(super) fn chain(&self) -> Chain {

@@ -1,5 +1,6 @@
 //! A tool as the planner sees it: what it is for, what it touches with and what it leaves.
 
+use super::guard;
 use super::outline::Turn;
 use super::shape::Shape;
 use crate::geometry::{Contour, Segment};
@@ -26,22 +27,53 @@ pub(super) enum Use {
 pub(super) struct Cutter {
     pub(super) station: u32,
     pub(super) r#use: Use,
+    /// True if z is turned round: a tool that cuts away from the headstock is planned like one that cuts towards it, seen
+    /// from the other end.
+    pub(super) turned: bool,
     /// Nose radius, mm.
     pub(super) nose: f64,
     /// Where the lowest stretch of the edge begins and ends, from the programmed point, mm.
     pub(super) bottom: (f64, f64),
-    /// Where insert and holder begin and end, mm.
+    /// Where insert and holder begin and end, with the distance that they keep, mm.
     pub(super) extent: (f64, f64),
+    /// Lowest place of the insert over the programmed point, mm: 0, but negative for drills.
+    pub(super) low: f64,
     /// Insert and holder turned over, with the distance that the holder keeps.
     pub(super) body: Shape,
     /// The insert turned over.
     pub(super) insert: Shape,
     /// The insert with its radius turned over.
     pub(super) edge: Shape,
+    /// The upper side of the insert.
+    pub(super) top: Shape,
+    /// The upper side of insert and holder.
+    pub(super) whole: Shape,
+    /// The edges that cut with their radius turned over.
+    pub(super) cutting: Shape,
+    /// Holder and edges that cannot cut turned over, with the distance that they keep.
+    pub(super) guard: Shape,
+    /// What of them meets stock before an edge does when the tool travels towards the chuck, turned over.
+    pub(super) ahead: Shape,
+    /// Lowest places of `guard` and `ahead` over the programmed point, mm.
+    pub(super) guard_low: f64,
+    pub(super) ahead_low: f64,
+    /// How deep the tool may cut, mm: the height of its edge over the nose; infinite without a side that cannot cut.
+    pub(super) reach: f64,
+    /// True if the edge leaves a square shoulder where the tool stops.
+    pub(super) square: bool,
+    /// Angle between the edges beside the nose, radians; π of a disc.
+    pub(super) corner: f64,
 }
 
-/// Distance that a holder, and an edge that cannot cut, keeps from the work, mm: holders are made to tenths.
+/// Distance that a holder keeps from the work, mm: holders are made to tenths.
 pub(super) const HOLDER_CLEARANCE_MM: f64 = 0.1;
+
+/// Distance that an edge that cannot cut keeps from the work, mm: inserts are made to hundredths.
+const BACK_CLEARANCE_MM: f64 = 0.01;
+
+/// An edge that cannot cut counts from this distance behind the one that cuts, mm: there it has fallen back by the distance
+/// that it keeps, even if it leans by 2 degrees only.
+const BEHIND_EDGE_MM: f64 = 0.3;
 
 /// Edges that rise less than this over their length lie level, mm.
 const LEVEL_MM: f64 = 1e-6;
@@ -60,16 +92,56 @@ impl Cutter {
             ToolKind::Boring | ToolKind::BoreGrooving | ToolKind::BoreThreading | ToolKind::Drill => return None,
         };
         let insert = Shape::of([&outline.insert], Turn::Both);
+        let back = Shape::grown(&behind(&edges(outline, false)), Turn::Both, BACK_CLEARANCE_MM);
+        let guard = Shape::grown(&outline.holder, Turn::Both, HOLDER_CLEARANCE_MM).and(back);
+        let ahead = guard::ahead(outline);
+        let cutting = edges(outline, true);
+        let square = cutting.bounds().is_none_or(|b| b.min.z >= bottom.0 - outline.nose_radius - LEVEL_MM);
         Some(Self {
             station,
             r#use,
+            turned: false,
             nose: outline.nose_radius,
             bottom,
-            extent: (whole.min.z, whole.max.z),
-            body: insert.clone().and(grown(&outline.holder)).and(grown(&back(outline))),
+            extent: (whole.min.z - HOLDER_CLEARANCE_MM, whole.max.z + HOLDER_CLEARANCE_MM),
+            low: bounds.min.r,
+            body: insert.clone().and(guard.clone()),
             insert,
             edge: Shape::of([&outline.insert], Turn::Radius),
+            top: Shape::of([&outline.insert], Turn::None),
+            whole: Shape::of([&outline.insert, &outline.holder], Turn::None),
+            cutting: Shape::of([&cutting], Turn::Radius),
+            guard_low: -guard.top(f64::NEG_INFINITY),
+            ahead_low: -ahead.top(f64::NEG_INFINITY),
+            guard,
+            // A sleeve far behind does not matter.
+            reach: -ahead.top(-bounds.max.z),
+            ahead,
+            square,
+            corner: guard::corner(&cutting),
         })
+    }
+
+    /// The tool seen from the other end of the machine.
+    pub(super) fn turned(station: u32, outline: &ToolOutline) -> Option<Self> {
+        let orientation = match outline.orientation {
+            1 => 2,
+            2 => 1,
+            3 => 4,
+            4 => 3,
+            5 => 7,
+            7 => 5,
+            other => other,
+        };
+        let seen = ToolOutline {
+            insert: turned_round(&outline.insert),
+            holder: turned_round(&outline.holder),
+            nose_center: outline.nose_center.mirrored_at_z(0.0),
+            orientation,
+            cutting: outline.cutting.iter().rev().copied().collect(),
+            ..outline.clone()
+        };
+        Some(Self { turned: true, ..Self::new(station, &seen)? })
     }
 
     /// How far the rounded edge lies beside the programmed point, mm.
@@ -78,15 +150,29 @@ impl Cutter {
     }
 }
 
-/// A contour turned over, with the distance that it keeps from the work.
-fn grown(contour: &Contour) -> Shape {
-    Shape::grown(contour, Turn::Both, HOLDER_CLEARANCE_MM)
+/// The contour with z turned round, again counter-clockwise.
+fn turned_round(contour: &Contour) -> Contour {
+    Contour::new(contour.segments.iter().rev().map(|s| s.mirrored_at_z(0.0).reversed()).collect())
 }
 
-/// The edges of the insert that cannot cut.
-fn back(outline: &ToolOutline) -> Contour {
+/// Edges in a row without their first and last bit.
+fn behind(back: &Contour) -> Contour {
+    let last = back.segments.len().saturating_sub(1);
+    let inner = back.segments.iter().enumerate().map(|(k, s)| {
+        let share = BEHIND_EDGE_MM / s.length();
+        let ends = (if k == 0 { share } else { 0.0 }, if k == last { 1.0 - share } else { 1.0 });
+        match *s {
+            Segment::Line { .. } if ends.0 < ends.1 => Segment::line(s.point_at(ends.0), s.point_at(ends.1)),
+            _ => *s,
+        }
+    });
+    Contour::new(inner.collect())
+}
+
+/// The edges of the insert that cut, or those that cannot.
+pub(super) fn edges(outline: &ToolOutline, that_cut: bool) -> Contour {
     let edges = outline.insert.segments.iter().zip(&outline.cutting);
-    Contour::new(edges.filter(|(_, cuts)| !**cuts).map(|(segment, _)| *segment).collect())
+    Contour::new(edges.filter(|(_, cuts)| **cuts == that_cut).map(|(segment, _)| *segment).collect())
 }
 
 /// Where the outline is lowest.
@@ -108,10 +194,12 @@ mod tests {
     use super::*;
     use crate::machine::Catalog;
 
+    fn cutter(id: &str) -> Cutter {
+        Cutter::new(1, &Catalog::shipped().tool(id).unwrap().outline()).unwrap()
+    }
+
     #[test]
     fn the_shipped_tools_are_known_by_their_kind_and_orientation() {
-        let catalog = Catalog::shipped();
-        let cutter = |id: &str| Cutter::new(1, &catalog.tool(id).unwrap().outline()).unwrap();
         assert_eq!(cutter("orac-right").r#use, Use::Right);
         assert_eq!(cutter("orac-left").r#use, Use::Left);
         assert_eq!(cutter("orac-thread").r#use, Use::Thread);
@@ -119,5 +207,25 @@ mod tests {
         let right = cutter("orac-right");
         assert!((right.nose - 0.2).abs() < 1e-9 && (right.bottom.0 - 0.2).abs() < 1e-9);
         assert!(right.contact().0.abs() < 1e-9 && (right.contact().1 - 0.4).abs() < 1e-9);
+    }
+
+    #[test]
+    fn a_tool_reaches_as_deep_as_its_edge_is_high() {
+        let right = cutter("orac-right");
+        assert!((10.0..=11.0).contains(&right.reach) && right.square, "{}", right.reach);
+        assert!((right.corner.to_degrees() - 35.0).abs() < 1e-6, "{}", right.corner.to_degrees());
+        let button = cutter("6t-button-5");
+        assert!((button.reach - 2.5).abs() < 0.01, "{}", button.reach);
+        let blade = cutter("orac-part-off");
+        assert!((blade.reach - 0.1).abs() < 0.02, "its sides do not cut: {}", blade.reach);
+        assert!(!cutter("6t-copy-70").square);
+    }
+
+    #[test]
+    fn a_left_hand_tool_seen_from_the_other_end_is_a_right_hand_one() {
+        let left = Cutter::turned(1, &Catalog::shipped().tool("orac-left").unwrap().outline()).unwrap();
+        let right = cutter("orac-right");
+        assert!(left.turned && left.r#use == Use::Right);
+        assert!((left.reach - right.reach).abs() < 1e-9 && (left.bottom.0 - right.bottom.0).abs() < 1e-9);
     }
 }

@@ -9,8 +9,11 @@ use crate::geometry::{Point, Segment};
 use crate::machine::Machine;
 use crate::part::{PartContour, Setup};
 
-/// Distance that a tool keeps from the jaws, mm.
-pub(super) const JAW_CLEARANCE_MM: f64 = 1.0;
+/// Distance that a tool keeps from what holds the work while it cuts, mm.
+const JAW_CLEARANCE_MM: f64 = 1.0;
+
+/// The same on its ways through air, mm: less, so that it can get to where it may cut.
+const PASSING_MM: f64 = 0.5;
 
 /// The bar that stays begins this far beyond the last place that a nose cuts, mm: rounding must not make it a wall.
 const BESIDE_MM: f64 = 1e-6;
@@ -29,16 +32,24 @@ pub(super) const AXIS_OVERSHOOT_MM: f64 = 1.0;
 pub(super) struct Work {
     /// The finished contour as a function.
     pub(super) part: Chain,
-    /// What is in the machine now.
+    /// What is in the machine now, below the ways of the tools.
     pub(super) stock: Chain,
-    /// Jaws with the distance kept from them.
+    /// The top of all that is in the machine: a leaning edge leaves slivers that hang over what it cut.
+    pub(super) cover: Chain,
+    /// The lower side of what hangs over.
+    pub(super) under: Chain,
+    /// Jaws, mandrel and tailstock with the distance kept from them.
     pub(super) jaws: Chain,
+    /// The same with the distance kept on ways through air.
+    pub(super) passed: Chain,
     /// Machined from here.
     pub(super) from_z: f64,
     /// Free end of the finished part.
     pub(super) face_z: f64,
     /// No tool needs to go lower, mm.
     pub(super) floor: f64,
+    /// True if z is turned round.
+    turned: bool,
 }
 
 /// Where a tool's programmed point may be: on or above a function over the range that is worked in.
@@ -53,22 +64,63 @@ impl Work {
     /// The work of a set-up before the first cut.
     pub(super) fn new(setup: &Setup, contour: &PartContour, machine: &Machine) -> Self {
         let part = Chain { pieces: contour.contour.segments.iter().filter_map(Piece::of).collect() };
-        let face = setup.chuck_face_z + JAW_CLEARANCE_MM;
-        let jaws = Chain::level(face - machine.chuck.depth_mm, face, machine.chuck.radius_mm + JAW_CLEARANCE_MM);
+        let (face, chuck) = (setup.chuck_face_z, &machine.chuck);
+        let mut held = vec![Piece::level(face - chuck.depth_mm, face, chuck.radius_mm)];
+        for outline in setup.mandrel.iter().chain(&setup.tailstock) {
+            held.extend(upper_pieces(outline, Turn::None));
+        }
+        let held = Chain::largest(&held.into_iter().map(|p| Chain { pieces: vec![p] }).collect::<Vec<_>>());
         let stock = upper_pieces(&setup.stock, Turn::None).into_iter().map(|p| Chain { pieces: vec![p] });
+        let stock = Chain::largest(&stock.collect::<Vec<_>>());
+        Self::of(part, stock, &held, (setup.machined_from_z, setup.length), -AXIS_OVERSHOOT_MM)
+    }
+
+    /// The work of what is to be made, what it is made from and what holds it; `range`: machined from, free end.
+    pub(super) fn of(part: Chain, stock: Chain, held: &Chain, range: (f64, f64), floor: f64) -> Self {
         Self {
             part,
-            stock: Chain::largest(&stock.collect::<Vec<_>>()),
-            jaws,
-            from_z: setup.machined_from_z,
-            face_z: setup.length,
-            floor: -AXIS_OVERSHOOT_MM,
+            cover: stock.clone(),
+            under: Chain::default(),
+            stock,
+            jaws: Shape::disc(JAW_CLEARANCE_MM).over(held),
+            passed: Shape::disc(PASSING_MM).over(held),
+            from_z: range.0,
+            face_z: range.1,
+            floor,
+            turned: false,
         }
+    }
+
+    /// The work seen from the other end of the machine.
+    pub(super) fn turned_round(&self) -> Self {
+        Self {
+            part: self.part.mirrored(),
+            stock: self.stock.mirrored(),
+            cover: self.cover.mirrored(),
+            under: self.under.mirrored(),
+            jaws: self.jaws.mirrored(),
+            passed: self.passed.mirrored(),
+            from_z: -self.face_z,
+            face_z: -self.from_z,
+            floor: self.floor,
+            turned: !self.turned,
+        }
+    }
+
+    /// The work as a tool sees it.
+    pub(super) fn seen_by(&self, cutter: &Cutter) -> Self {
+        if cutter.turned == self.turned { self.clone() } else { self.turned_round() }
+    }
+
+    /// Where stock is machined: from, to.
+    pub(super) fn range(&self) -> (f64, f64) {
+        if self.turned { (f64::NEG_INFINITY, self.face_z) } else { (self.from_z, f64::INFINITY) }
     }
 
     /// Largest radius of the stock within the range that is machined, mm.
     pub(super) fn top(&self) -> f64 {
-        self.stock.highest(self.from_z, f64::INFINITY)
+        let (z0, z1) = self.range();
+        self.stock.highest(z0, z1)
     }
 
     /// Position of the stock's free end.
@@ -84,6 +136,14 @@ impl Work {
 
     /// The bar that stays beside what is machined, for other tools than right-hand ones with the slivers on its face.
     fn bar(&self, cutter: &Cutter) -> Chain {
+        if self.turned {
+            let edge = self.face_z + cutter.nose + BESIDE_MM;
+            let bar = self.stock.clipped(edge, f64::INFINITY);
+            return match bar.at(edge) {
+                Some(r) => bar.max(&Chain::level(edge - SLIVER_MM, edge, r)),
+                None => bar,
+            };
+        }
         let edge = self.from_z - cutter.nose - BESIDE_MM;
         let bar = self.stock.clipped(f64::NEG_INFINITY, edge);
         match bar.at(edge) {
@@ -92,43 +152,78 @@ impl Work {
         }
     }
 
-    /// How low a tool may go without touching the stock or the jaws.
+    /// How low a tool may go without touching the stock or what holds it.
     pub(super) fn air(&self, cutter: &Cutter) -> Chain {
-        cutter.body.over(&self.stock.max(&self.jaws))
+        cutter.body.over(&self.cover.max(&self.passed))
     }
 
+    /// Where the programmed point may be at all: up to the bar that stays, and beyond an end that is free.
     fn limited(&self, cutter: &Cutter, chain: &Chain) -> Limit {
-        let z0 = self.from_z - cutter.bottom.0;
-        let z1 = self.end_z().max(self.face_z) - cutter.extent.0 + 2.0 * AIR_MM;
+        let starts = self.stock.pieces.first().map_or(self.from_z, |p| p.z0).min(self.from_z);
+        let ends = self.end_z().max(self.face_z);
+        let beside = SLIVER_MM;
+        let z0 = if !self.turned && starts < self.from_z - beside {
+            self.from_z - cutter.bottom.0
+        } else {
+            starts - cutter.contact().1 - AIR_MM
+        };
+        let z1 = if self.turned && ends > self.face_z + beside {
+            self.face_z - cutter.bottom.1
+        } else {
+            ends - cutter.extent.0 + 2.0 * AIR_MM
+        };
         let floor = Chain::level(z0, z1, self.floor.max(-cutter.nose));
         Limit { chain: chain.clipped(z0, z1).max(&floor), z0, z1 }
     }
 
-    /// What is left below a tool that goes along `path`.
-    pub(super) fn left_by(cutter: &Cutter, path: &[Segment]) -> Chain {
-        let leaves: Vec<Chain> = path.iter().map(|s| swept(cutter, s)).collect();
-        Chain::largest(&leaves).negated()
+    /// Takes away what the insert of a tool covers along a segment.
+    pub(super) fn take(&mut self, cutter: &Cutter, segment: &Segment) {
+        let low = left_along(&cutter.edge, segment);
+        self.stock.cut(&low);
+        let high = covered_along(&cutter.top, segment);
+        if let (Some(first), Some(last)) = (low.pieces.first(), low.pieces.last()) {
+            let hidden = self.cover.uncover(&low, &high);
+            let mut from = first.z0;
+            for run in &hidden {
+                self.under.remove(from, run.z0);
+                self.under = self.under.max(&high.clipped(run.z0, run.z1));
+                from = run.z1;
+            }
+            self.under.remove(from, last.z1);
+        }
     }
 
-    /// Takes away what a tool cuts along `path`.
-    pub(super) fn cut(&mut self, cutter: &Cutter, path: &[Segment]) {
-        let left = Self::left_by(cutter, path);
-        let (Some(first), Some(last)) = (self.stock.pieces.first(), self.stock.pieces.last()) else { return };
-        let (z0, z1) = (first.z0, last.z1);
-        self.stock = self.stock.min(&left).clipped(z0, z1);
-        self.stock.pieces.retain(|p| p.highest() > 0.0);
+    /// What is left below a shape with its radius turned over that goes along `path`.
+    pub(super) fn left_by(edge: &Shape, path: &[Segment]) -> Chain {
+        let leaves: Vec<Chain> = path.iter().map(|s| swept(edge, s)).collect();
+        Chain::largest(&leaves).negated()
     }
 }
 
+/// What is left below a shape with its radius turned over that goes along a segment.
+pub(super) fn left_along(edge: &Shape, segment: &Segment) -> Chain {
+    swept(edge, segment).negated()
+}
+
+/// The upper side of what a shape covers along a segment.
+pub(super) fn covered_along(top: &Shape, segment: &Segment) -> Chain {
+    let pieces: Vec<Piece> = super::outline::one_way(segment).into_iter().filter_map(|s| Piece::of(&s)).collect();
+    if pieces.is_empty() {
+        let (a, b) = (segment.start(), segment.end());
+        return top.at(if a.r <= b.r { b } else { a });
+    }
+    Chain::largest(&pieces.into_iter().map(|p| top.over(&Chain { pieces: vec![p] })).collect::<Vec<_>>())
+}
+
 /// The lower boundary of a swept tool, negated.
-fn swept(cutter: &Cutter, segment: &Segment) -> Chain {
+fn swept(edge: &Shape, segment: &Segment) -> Chain {
     let mut parts = super::outline::one_way(segment).into_iter().filter_map(|s| Piece::of(&s)).peekable();
     if parts.peek().is_none() {
         let (a, b) = (segment.start(), segment.end());
         let lower = if a.r <= b.r { a } else { b };
-        return cutter.edge.at(Point::new(lower.z, -lower.r));
+        return edge.at(Point::new(lower.z, -lower.r));
     }
     let pieces: Vec<Piece> = parts.map(|p| p.negated()).collect();
     // One after the other: a segment may turn back along z.
-    Chain::largest(&pieces.into_iter().map(|p| cutter.edge.over(&Chain { pieces: vec![p] })).collect::<Vec<_>>())
+    Chain::largest(&pieces.into_iter().map(|p| edge.over(&Chain { pieces: vec![p] })).collect::<Vec<_>>())
 }

@@ -16,7 +16,7 @@ use crate::turning::planner::piece::{Piece, SAME_MM};
 use crate::turning::planner::shape::Shape;
 use crate::turning::planner::side::Side;
 use crate::turning::planner::tool::{Cutter, Use};
-use crate::turning::planner::work::{JAW_CLEARANCE_MM, Work};
+use crate::turning::planner::work::Work;
 
 /// Distance of the line that radii count from beyond the bar, mm: every radius stays positive.
 const BEYOND_BAR_MM: f64 = 100.0;
@@ -80,15 +80,11 @@ impl Bore {
         }
         let stock = upper_pieces(&self.side.contour(&setup.stock), Turn::None);
         let stock: Vec<Chain> = stock.into_iter().map(|p| Chain { pieces: vec![p] }).collect();
-        let face = setup.chuck_face_z + JAW_CLEARANCE_MM;
-        Work {
-            part: Chain { pieces },
-            stock: Chain::largest(&stock).clipped(f64::NEG_INFINITY, end_z),
-            jaws: Chain::level(face - machine.chuck.depth_mm, face, self.axis + JAW_CLEARANCE_MM),
-            from_z: self.from_z,
-            face_z: setup.length,
-            floor: segments.last().map_or(0.0, |s| s.end().r) - OUT_OF_MOUTH_MM,
-        }
+        let face = setup.chuck_face_z;
+        let held = Chain::level(face - machine.chuck.depth_mm, face, self.axis);
+        let floor = segments.last().map_or(0.0, |s| s.end().r) - OUT_OF_MOUTH_MM;
+        let stock = Chain::largest(&stock).clipped(f64::NEG_INFINITY, end_z);
+        Work::of(Chain { pieces }, stock, &held, (self.from_z, setup.length), floor)
     }
 }
 
@@ -138,9 +134,9 @@ impl Order<'_> {
         let blades = of(|u| matches!(u, Use::Blade { .. }));
         // Where bars could rough; the hole is wider then, but what was not roughed is not finished.
         let mut roughed = f64::INFINITY;
-        for (k, bar) in right.iter().enumerate() {
+        for bar in &right {
             if self.comes_in(bar, from_z) {
-                self.rough(bar, if k == 0 { 0.0 } else { TOOL_WORTH_MM });
+                self.rough(bar);
                 roughed = roughed.min(self.work.from_z);
             }
         }
@@ -152,7 +148,7 @@ impl Order<'_> {
         }
         for bar in &left {
             if self.comes_in(bar, from_z) {
-                self.rough(bar, TOOL_WORTH_MM);
+                self.rough(bar);
                 self.finish(bar, TOOL_WORTH_MM);
             }
         }

@@ -5,7 +5,7 @@ use crate::diagnostic::{Diagnostic, Place};
 use crate::geometry::Point;
 use crate::part::Setup;
 use crate::turning::OperationKind;
-use crate::turning::planner::link::{self, CLEARANCE_MM};
+use crate::turning::planner::link::{CLEARANCE_MM, go};
 use crate::turning::planner::tool::{Cutter, Use};
 use crate::turning::planner::work::AXIS_OVERSHOOT_MM;
 
@@ -46,7 +46,7 @@ impl Order<'_> {
             let z = setup.length + over * f64::from(cuts - cut) / f64::from(cuts) - left;
             let start = Point::new(z, above);
             if cut == 1 {
-                link::link(&mut path, start, &self.work.air(&cutter), self.datum.r);
+                go(&mut path, start);
             } else {
                 path.rapid(start);
             }

@@ -4,7 +4,7 @@ use super::Order;
 use crate::diagnostic::{Diagnostic, Place};
 use crate::geometry::Point;
 use crate::part::Setup;
-use crate::turning::planner::link::{self, CLEARANCE_MM};
+use crate::turning::planner::link::{CLEARANCE_MM, go};
 use crate::turning::planner::outline::Turn;
 use crate::turning::planner::shape::Shape;
 use crate::turning::planner::tool::{Cutter, HOLDER_CLEARANCE_MM};
@@ -39,8 +39,8 @@ impl Order<'_> {
         let mut path = self.path(&conditions, &blade);
         let air = self.work.air(&blade);
         let above = Point::new(z, air.at(z).unwrap_or(0.0).max(0.0) + CLEARANCE_MM);
-        link::link(&mut path, above, &air, self.datum.r);
-        let last = conditions.cut(NEAR_AXIS_MM, to_r);
+        go(&mut path, above);
+        let last = conditions.cut(NEAR_AXIS_MM, to_r, 0.0);
         // Feeds per minute are published for the whole way to the axis.
         if to_r < NEAR_AXIS_MM && matches!(last.feed, Feed::PerRev(_)) {
             path.line(Point::new(z, NEAR_AXIS_MM));

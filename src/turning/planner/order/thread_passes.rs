@@ -59,14 +59,14 @@ impl Passes<'_> {
 
     /// The moves of every start, from and to the place above the start, and what they are made from.
     pub(super) fn cut(&self, path: &mut Path<'_>) -> Option<Recipe> {
-        let first = path.moves.len();
+        let first = path.len();
         for start in 0..self.spec.starts {
             let start_deg = 360.0 * f64::from(start) / f64::from(self.spec.starts);
             for (number, depth) in self.depths().into_iter().enumerate() {
                 self.pass(path, number, depth, start_deg);
             }
         }
-        let moves = first..path.moves.len();
+        let moves = first..path.len();
         let by_control = self.spec.starts == 1 && self.choices.infeed != Infeed::Alternating;
         by_control.then(|| Recipe { moves, kind: RecipeKind::Thread(self.recipe()) })
     }
@@ -116,7 +116,7 @@ impl Passes<'_> {
     fn rpm(&self) -> f64 {
         let machine = self.machine;
         let feed = machine.spindle.thread_feed_mm_per_min.min(machine.limits.feed_max_mm_per_min);
-        let cut = self.conditions.cut(self.spec.crest_radius, self.spec.crest_radius);
+        let cut = self.conditions.cut(self.spec.crest_radius, self.spec.crest_radius, 0.0);
         let by_material = cut.rpm_at(self.conditions.radius(self.spec.crest_radius));
         machine.nearest_rpm(by_material.min(feed / self.spec.lead()).min(machine.rpm_limit()))
     }

@@ -5,7 +5,7 @@ use super::thread_passes::{Passes, flank_deg};
 use crate::geometry::Point;
 use crate::part::ThreadSpec;
 use crate::turning::OperationKind;
-use crate::turning::planner::link;
+use crate::turning::planner::link::go;
 use crate::turning::planner::side::Side;
 use crate::turning::planner::thread::{self, Reach};
 use crate::turning::planner::tool::Cutter;
@@ -29,7 +29,7 @@ impl Order<'_> {
                 continue;
             }
             let clear = self.clear_of(&spec);
-            link::link(&mut path, Point::new(reach.start, clear), &self.work.air(cutter), self.datum.r);
+            go(&mut path, Point::new(reach.start, clear));
             if by_words {
                 let (spec, reach, machine, conditions) = (&spec, &reach, self.machine, &conditions);
                 let passes = Passes { spec, reach, machine, conditions, choices, flank_deg, clear };
