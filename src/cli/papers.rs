@@ -15,7 +15,7 @@ pub(crate) struct Draw {
     file: PathBuf,
     /// Drawing: .pdf, .svg, .dxf or .plt (HP-GL).
     out: PathBuf,
-    /// Paper, A4 to A0, landscape; without, the smallest that has room for the part in its true size or larger.
+    /// Paper, A4 to A0, landscape; without, the smallest that shows the part well.
     #[arg(long)]
     paper: Option<Paper>,
     /// Scale, such as 2 for 2:1 or 0.5 for 1:2; the largest usual one that fits without.

@@ -37,13 +37,13 @@ impl Detail {
         let factor = scale.factor;
         let low = subject.outside.smallest_radius(zone.from, zone.to);
         let high = subject.outside.largest_radius(zone.from, zone.to);
-        let in_zone = |marks: Vec<Mark>| marks.into_iter().filter(|mark| zone.holds(mark)).collect();
+        let in_zone = |marks: &[Mark]| marks.iter().filter(|mark| zone.holds(mark)).cloned().collect();
         let middle = f64::midpoint(room.min.z, room.max.z);
         let mut view =
             View { origin: Point::new(middle - f64::midpoint(zone.from, zone.to) * factor, 0.0), scale: factor };
         let along = (room.min.z + MARGIN_MM, room.max.z - MARGIN_MM);
-        let above = Row::new(in_zone(subject.outside_leaders()), &view, along)?;
-        let below = Row::new(in_zone(subject.outside_positions()), &view, along)?;
+        let above = Row::new(in_zone(&subject.outside_leaders), &view, along)?;
+        let below = Row::new(in_zone(&subject.outside_positions), &view, along)?;
         let height = above.height_mm() + (high - low) * factor + BELOW_MM + below.height_mm();
         let spare = room.max.r - room.min.r - HEADING_MM - 2.0 * MARGIN_MM - height;
         if spare < 0.0 || (zone.to - zone.from) * factor > along.1 - along.0 {

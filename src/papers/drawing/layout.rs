@@ -47,16 +47,11 @@ impl Layout {
         if length * scale > room.max.z - room.min.z - 2.0 * SIDE_MM {
             return Err(Unfit::Size);
         }
-        let (mut above, mut below) = (subject.outside_leaders(), subject.outside_positions());
-        // The dimension beside the view tells the largest diameter.
-        let largest = figure::diameter(max.r, subject.document.unit);
-        if let Some(told) = above.iter().position(|mark| mark.text == largest) {
-            above.remove(told);
-        }
+        let (mut above, mut below) = (subject.outside_leaders.clone(), subject.outside_positions.clone());
         let mut zones = Vec::new();
         if subject.bore.is_some() {
             above.append(&mut below);
-            below = subject.bore_marks();
+            below.clone_from(&subject.bore_marks);
         } else {
             zones = zones::zones(above.iter().chain(&below), scale, length);
             let shown_in_a_detail = |mark: &Mark| zones.iter().any(|zone| zone.holds(mark));

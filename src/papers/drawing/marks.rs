@@ -58,13 +58,12 @@ pub(super) fn leaders(outline: &Outline, source: Source<'_>) -> Vec<Mark> {
     let pieces = &outline.pieces;
     let mut marks: Vec<Mark> = Vec::new();
     let mut told = std::collections::BTreeSet::new();
-    for (k, piece) in pieces.iter().enumerate() {
-        let neighbours = (k.checked_sub(1).and_then(|i| pieces.get(i)), pieces.get(k + 1));
+    for (piece, neighbours) in pieces.iter().zip(neighbours(pieces)) {
         // An arc that others interrupt is one row and one radius.
         let first_of_row = told.insert((piece.section, piece.role == PieceRole::Face));
         marks.extend(surface(piece, neighbours, source).filter(|_| first_of_row || is_cylinder(piece)));
     }
-    marks.extend(meetings(pieces).filter_map(|(before, after)| corner(pieces, before, after, source.unit)));
+    marks.extend(meetings(pieces).iter().filter_map(|meeting| corner(meeting, source.unit)));
     marks.sort_by(|a, b| a.at.z.total_cmp(&b.at.z).then(a.at.r.total_cmp(&b.at.r)));
     marks.dedup_by(|a, b| a.text == b.text && a.at.distance(b.at) < SAME_MM);
     marks
@@ -73,13 +72,15 @@ pub(super) fn leaders(outline: &Outline, source: Source<'_>) -> Vec<Mark> {
 /// Positions where the outline changes, counted from the clamped end, each at its largest radius.
 pub(super) fn positions(outline: &Outline, unit: Unit) -> Vec<Mark> {
     let pieces = &outline.pieces;
-    let places = meetings(pieces).filter(|(before, after)| !is_inner_end_of_chamfer(pieces, *before, *after));
-    let mut points: Vec<Point> = places.filter_map(|(before, after)| meeting_point(before, after)).collect();
+    let meetings = meetings(pieces);
+    let told = meetings.iter().filter(|meeting| !meeting.is_inner_end_of_chamfer());
+    let mut points: Vec<Point> = told.map(|meeting| meeting.at).collect();
     points.sort_by(|a, b| a.z.total_cmp(&b.z).then(b.r.total_cmp(&a.r)));
     points.dedup_by(|a, b| (a.z - b.z).abs() < SAME_MM);
     points.into_iter().map(|at| Mark { at, line: Line::Extension, text: number(at.z, unit) }).collect()
 }
 
+/// The pieces before and behind a piece.
 type Neighbours<'a> = (Option<&'a Piece>, Option<&'a Piece>);
 
 /// What is told about a piece itself.
@@ -106,13 +107,12 @@ fn surface(piece: &Piece, neighbours: Neighbours<'_>, source: Source<'_>) -> imp
 }
 
 /// The diameter where two pieces meet, if nothing else tells it.
-fn corner(pieces: &[Piece], before: Option<&Piece>, after: Option<&Piece>, unit: Unit) -> Option<Mark> {
-    let at = meeting_point(before, after)?;
+fn corner(meeting: &Meeting<'_>, unit: Unit) -> Option<Mark> {
+    let Meeting { at, before, after, chamfer } = *meeting;
     // Where a face ends at the hole of a bore or of a tube, the table of the bore tells the diameter.
-    let at_hole = [before, after].iter().any(Option::is_none) && [before, after].into_iter().flatten().any(is_face);
-    let tells = |piece: &Piece| is_cylinder(piece) || piece.role == PieceRole::Thread;
-    let told = [before, after].into_iter().flatten().any(tells);
-    if at.r < SAME_MM || told || at_hole || is_end_of_chamfer(pieces, before, after) {
+    let at_hole = (before.is_none() || after.is_none()) && meeting.pieces().any(is_face);
+    let told = meeting.pieces().any(|piece| is_cylinder(piece) || piece.role == PieceRole::Thread);
+    if at.r < SAME_MM || told || at_hole || chamfer {
         return None;
     }
     // A leader must not run along a face that rises from here: it leaves to the other side.
@@ -125,13 +125,43 @@ fn corner(pieces: &[Piece], before: Option<&Piece>, after: Option<&Piece>, unit:
     Some(Mark { at, line, text: figure::diameter(at.r, unit) })
 }
 
-/// Every pair of pieces that meet, the ends of the outline included.
-fn meetings(pieces: &[Piece]) -> impl Iterator<Item = Neighbours<'_>> {
-    (0..=pieces.len()).map(|k| (k.checked_sub(1).and_then(|i| pieces.get(i)), pieces.get(k)))
+/// A place where two pieces meet, or an end of the outline.
+struct Meeting<'a> {
+    at: Point,
+    before: Option<&'a Piece>,
+    after: Option<&'a Piece>,
+    /// One of the two is a 45° chamfer.
+    chamfer: bool,
 }
 
-fn meeting_point(before: Option<&Piece>, after: Option<&Piece>) -> Option<Point> {
-    before.map(Piece::end).or(after.map(Piece::start))
+impl<'a> Meeting<'a> {
+    fn pieces(&self) -> impl Iterator<Item = &'a Piece> {
+        [self.before, self.after].into_iter().flatten()
+    }
+
+    /// True where a chamfer meets its cylinder: its length tells this position.
+    fn is_inner_end_of_chamfer(&self) -> bool {
+        self.chamfer && self.before.is_some() && self.after.is_some() && !self.pieces().any(is_face)
+    }
+}
+
+/// Every place where pieces meet, the ends of the outline included.
+fn meetings(pieces: &[Piece]) -> Vec<Meeting<'_>> {
+    let chamfers: Vec<bool> =
+        pieces.iter().zip(neighbours(pieces)).map(|(piece, beside)| is_chamfer(piece, beside)).collect();
+    let piece = |k: Option<usize>| k.and_then(|k| Some((pieces.get(k)?, *chamfers.get(k)?)));
+    let meeting = |k: usize| {
+        let (before, after) = (piece(k.checked_sub(1)), piece(Some(k)));
+        let at = before.map(|(p, _)| p.end()).or(after.map(|(p, _)| p.start()))?;
+        let chamfer = [before, after].into_iter().flatten().any(|(_, chamfer)| chamfer);
+        Some(Meeting { at, before: before.map(|b| b.0), after: after.map(|a| a.0), chamfer })
+    };
+    (0..=pieces.len()).filter_map(meeting).collect()
+}
+
+/// What stands before and behind every piece.
+fn neighbours(pieces: &[Piece]) -> impl Iterator<Item = Neighbours<'_>> {
+    (0..pieces.len()).map(|k| (k.checked_sub(1).and_then(|i| pieces.get(i)), pieces.get(k + 1)))
 }
 
 /// True for a 45° line between a cylinder and a face or the end of the part.
@@ -142,23 +172,6 @@ fn is_chamfer(piece: &Piece, (before, after): Neighbours<'_>) -> bool {
     let round = |piece: Option<&Piece>| piece.is_some_and(|p| is_cylinder(p) || p.role == PieceRole::Thread);
     let flat = |piece: Option<&Piece>| piece.is_none_or(is_face);
     straight && slope && ((round(before) && flat(after)) || (flat(before) && round(after)))
-}
-
-/// The chamfers that end where `before` and `after` meet.
-fn is_end_of_chamfer(pieces: &[Piece], before: Option<&Piece>, after: Option<&Piece>) -> bool {
-    let index = |piece: &Piece| pieces.iter().position(|other| std::ptr::eq(other, piece));
-    let chamfer = |piece: &Piece| {
-        let around = index(piece).map(|k| (k.checked_sub(1).and_then(|i| pieces.get(i)), pieces.get(k + 1)));
-        around.is_some_and(|around| is_chamfer(piece, around))
-    };
-    before.is_some_and(chamfer) || after.is_some_and(chamfer)
-}
-
-/// True where a chamfer meets its cylinder: its length tells this position.
-fn is_inner_end_of_chamfer(pieces: &[Piece], before: Option<&Piece>, after: Option<&Piece>) -> bool {
-    let both = before.is_some() && after.is_some();
-    let flat = [before, after].into_iter().flatten().any(is_face);
-    both && !flat && is_end_of_chamfer(pieces, before, after)
 }
 
 #[cfg(test)]

@@ -31,7 +31,8 @@ use subject::Subject;
 /// How a part is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct DrawingChoice {
-    /// Sheet, landscape; without, the smallest on which the part is drawn at 1:1 or larger, or else the smallest at all.
+    /// Sheet, landscape; without, A4 or A3 if the part has room there in its true size or larger, else the smallest on which
+    /// it is drawn at 1:2 or larger, or else the smallest at all.
     pub paper: Option<Paper>,
     /// mm on paper for one mm of the part; without, the largest usual scale (ISO 5455) that fits.
     pub scale: Option<f64>,
@@ -47,17 +48,14 @@ pub fn drawing(derived: &Derived, choice: DrawingChoice) -> Result<Vec<Page>, Di
 }
 
 fn drawn(subject: &Subject<'_>, choice: DrawingChoice) -> Result<Vec<Page>, Diagnostic> {
-    let (papers, leasts): (&[Paper], &[f64]) = match &choice.paper {
-        Some(paper) => (std::slice::from_ref(paper), &[0.0]),
-        None => (&Paper::ALL, &[1.0, 0.0]),
-    };
+    let on_all = |least: f64| Paper::ALL.into_iter().map(move |paper| (paper, least));
+    let by_itself = || [(Paper::A4, 1.0), (Paper::A3, 1.0)].into_iter().chain(on_all(0.5)).chain(on_all(0.0)).collect();
+    let tries: Vec<(Paper, f64)> = choice.paper.map_or_else(by_itself, |paper| vec![(paper, 0.0)]);
     let mut refusal = nothing_fits(subject);
-    for least in leasts {
-        for paper in papers {
-            match sheets(subject, *paper, choice.scale, *least) {
-                Ok(pages) => return Ok(pages),
-                Err(refused) => refusal = refused,
-            }
+    for (paper, least) in tries {
+        match sheets(subject, paper, choice.scale, least) {
+            Ok(pages) => return Ok(pages),
+            Err(refused) => refusal = refused,
         }
     }
     Err(refusal)

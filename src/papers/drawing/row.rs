@@ -66,6 +66,9 @@ pub(super) struct Row {
 impl Row {
     /// Places for all marks within `from..=to` along the page, mm; `None` if there is no room for so many.
     pub(super) fn new(marks: Vec<Mark>, view: &View, (from, to): (f64, f64)) -> Option<Self> {
+        if marks.len() as f64 * GAP_MM > to - from + GAP_MM {
+            return None;
+        }
         let straight: Vec<f64> = marks.iter().filter(|m| m.line.lean() == 0.0).map(|m| view.place(m.at).z).collect();
         let leave = |mark: &Mark| view.place(mark.at).z + free_lean(mark.line.lean(), view.place(mark.at).z, &straight);
         let mut marks: Vec<(Mark, f64)> = marks.into_iter().map(|m| (leave(&m), m)).map(|(x, m)| (m, x)).collect();

@@ -1,5 +1,6 @@
 //! What a drawing shows.
 
+use super::figure;
 use super::marks::{self, Line, Mark, Source};
 use super::outline::{Outline, SAME_MM};
 use crate::diagnostic::{Diagnostic, Place};
@@ -19,6 +20,12 @@ pub(super) struct Subject<'a> {
     pub(super) bore: Option<Outline>,
     /// Around the outside, mm.
     pub(super) bounds: Bounds,
+    /// Diameters, radii, chamfers and threads of the outside, the largest diameter excepted: it is told beside the view.
+    pub(super) outside_leaders: Vec<Mark>,
+    /// Positions of the outside.
+    pub(super) outside_positions: Vec<Mark>,
+    /// Everything about the bore.
+    pub(super) bore_marks: Vec<Mark>,
 }
 
 impl<'a> Subject<'a> {
@@ -41,35 +48,16 @@ impl<'a> Subject<'a> {
             return Err(Diagnostic::error("nothing-to-draw", Place::Document, message));
         };
         let bore = bore.filter(|bore| !bore.segments.is_empty());
-        Ok(Self { document, part, rows_mm: part.scaled(document.unit.in_mm()), outside, bore, bounds })
-    }
-
-    fn source(&self, inside: bool) -> Source<'_> {
-        let rows_mm = if inside { &self.rows_mm.bore } else { &self.rows_mm.sections };
-        Source { rows_mm, inside, unit: self.document.unit }
-    }
-
-    /// Diameters, radii, chamfers and threads of the outside.
-    pub(super) fn outside_leaders(&self) -> Vec<Mark> {
-        marks::leaders(&self.outside, self.source(false))
-    }
-
-    /// Positions of the outside.
-    pub(super) fn outside_positions(&self) -> Vec<Mark> {
-        marks::positions(&self.outside, self.document.unit)
-    }
-
-    /// Everything about the bore; positions count from the same end of the part as those of the outside.
-    pub(super) fn bore_marks(&self) -> Vec<Mark> {
-        let Some(bore) = &self.bore else { return Vec::new() };
-        let mut all = marks::leaders(bore, self.source(true));
-        let positions = marks::positions(bore, self.document.unit);
-        if positions.first().is_some_and(|first| first.at.z > SAME_MM) {
-            let corner = Point::new(0.0, self.outside.largest_radius(0.0, 2.0 * SAME_MM));
-            all.push(Mark { at: corner, line: Line::Extension, text: "0".to_owned() });
+        let (rows_mm, unit) = (part.scaled(document.unit.in_mm()), document.unit);
+        let mut outside_leaders = marks::leaders(&outside, Source { rows_mm: &rows_mm.sections, inside: false, unit });
+        let largest = figure::diameter(bounds.max.r, unit);
+        if let Some(told) = outside_leaders.iter().position(|mark| mark.text == largest) {
+            outside_leaders.remove(told);
         }
-        all.extend(positions);
-        all
+        let outside_positions = marks::positions(&outside, unit);
+        let source = Source { rows_mm: &rows_mm.bore, inside: true, unit };
+        let bore_marks = bore.as_ref().map(|bore| bore_marks(bore, &outside, source)).unwrap_or_default();
+        Ok(Self { document, part, rows_mm, outside, bore, bounds, outside_leaders, outside_positions, bore_marks })
     }
 
     /// Core lines of the threads with the ends of their threads at the crest: outside first, then those of the bore.
@@ -77,6 +65,18 @@ impl<'a> Subject<'a> {
         let outside = threads(&self.outside, &self.rows_mm.sections);
         [outside, self.bore.as_ref().map(|bore| threads(bore, &self.rows_mm.bore)).unwrap_or_default()]
     }
+}
+
+/// Everything about the bore; positions count from the same end of the part as those of the outside.
+fn bore_marks(bore: &Outline, outside: &Outline, source: Source<'_>) -> Vec<Mark> {
+    let mut all = marks::leaders(bore, source);
+    let positions = marks::positions(bore, source.unit);
+    if positions.first().is_some_and(|first| first.at.z > SAME_MM) {
+        let corner = Point::new(0.0, outside.largest_radius(0.0, 2.0 * SAME_MM));
+        all.push(Mark { at: corner, line: Line::Extension, text: "0".to_owned() });
+    }
+    all.extend(positions);
+    all
 }
 
 /// The line of a thread's root.

@@ -101,6 +101,28 @@ fn paper_and_scale_are_chosen_to_show_the_part_in_its_true_size_or_larger() {
 }
 
 #[test]
+fn a_long_shaft_is_drawn_at_half_its_size_and_a_pin_larger() {
+    let part = |length: f64, d: f64| TurnedPart {
+        length,
+        bar_diameter: d,
+        sections: vec![Section::line(1, 0.0, d, length, d)],
+        ..TurnedPart::default()
+    };
+    let drawn = |part| pages(&of_part(part), DrawingChoice::default()).unwrap().swap_remove(0);
+    let (shaft, pin) = (drawn(part(620.0, 30.0)), drawn(part(9.0, 4.0)));
+    assert_eq!((shaft.width_mm, shaft.part.unwrap().scale), (420.0, 0.5));
+    assert_eq!((pin.width_mm, pin.part.unwrap().scale), (297.0, 20.0));
+}
+
+#[test]
+fn thousands_of_sections_are_refused_at_once() {
+    let section = |k: u32| Section::line(k + 1, f64::from(k), 20.0 + f64::from(k % 2), f64::from(k) + 1.0, 21.0);
+    let sections: Vec<Section> = (0..5000).map(section).collect();
+    let part = TurnedPart { length: 5000.0, bar_diameter: 30.0, sections, ..TurnedPart::default() };
+    assert_eq!(pages(&of_part(part), DrawingChoice::default()).unwrap_err().code, "drawing-crowded");
+}
+
+#[test]
 fn a_scale_that_does_not_fit_is_refused_with_the_largest_that_does() {
     let roll = roll();
     let ask = |paper, scale| pages(&roll, DrawingChoice { paper: Some(paper), scale: Some(scale) });

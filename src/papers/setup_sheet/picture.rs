@@ -33,6 +33,9 @@ pub(super) fn picture(subject: &Subject<'_>, to: &mut Writer) {
     let shown = shown(subject, stock);
     let (width, height) = (shown.max.z - shown.min.z, 2.0 * shown.max.r);
     let scale = ((RIGHT_MM - LEFT_MM - 2.0 * SIDE_MM) / width).min((high - low - DIMENSIONS_MM) / height);
+    if !(scale.is_finite() && scale > 0.0) {
+        return;
+    }
     let left = f64::midpoint(LEFT_MM, RIGHT_MM) - f64::midpoint(shown.min.z, shown.max.z) * scale;
     let view = View { origin: Point::new(left, f64::midpoint(low + DIMENSIONS_MM, high)), scale };
     draw_holding(subject, &mut to.page, view, shown);
