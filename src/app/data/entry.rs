@@ -74,7 +74,7 @@ impl Kind {
     pub(super) fn groups(self, item: &Value) -> Vec<Group> {
         match self {
             Self::Tools => tool_form::groups(item),
-            Self::Machines => machine_form::GROUPS.to_vec(),
+            Self::Machines => machine_form::groups(item),
             Self::Materials => material_form::GROUPS.to_vec(),
         }
     }

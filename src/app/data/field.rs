@@ -26,6 +26,8 @@ pub(super) enum Is {
     MaybeFigure,
     /// A whole figure.
     Whole,
+    /// A whole figure, or nothing.
+    MaybeWhole,
     /// True or false.
     YesNo,
     /// One of some words, with what they are called.

@@ -86,7 +86,7 @@ fn value(ui: &mut Ui, draft: &mut Draft, spec: &Field, path: &str, name: &str, w
             }
         }
         Is::Rows(per_row) => rows(ui, draft, path, name, per_row, width),
-        Is::Text | Is::Figure | Is::MaybeFigure | Is::Whole => {
+        Is::Text | Is::Figure | Is::MaybeFigure | Is::Whole | Is::MaybeWhole => {
             let shown = text(present);
             let typed = ui.push_id(path, |ui| field(ui, name, &shown, width, |text| read(spec.is, text))).inner;
             if let Some(typed) = typed {
@@ -98,12 +98,14 @@ fn value(ui: &mut Ui, draft: &mut Draft, spec: &Field, path: &str, name: &str, w
 
 fn read(is: Is, text: &str) -> Result<Value, String> {
     match is {
-        Is::MaybeFigure if text.trim().is_empty() => Ok(Value::Null),
+        Is::MaybeFigure | Is::MaybeWhole if text.trim().is_empty() => Ok(Value::Null),
         Is::Figure | Is::MaybeFigure => {
             let value = parse_length(text, Unit::Mm)?;
             number(value).ok_or_else(|| "The figure is not finite.".to_owned())
         }
-        Is::Whole => text.trim().parse::<u32>().map(Value::from).map_err(|_| "A whole figure is needed.".to_owned()),
+        Is::Whole | Is::MaybeWhole => {
+            text.trim().parse::<u32>().map(Value::from).map_err(|_| "A whole figure is needed.".to_owned())
+        }
         _ => Ok(Value::String(text.trim().to_owned())),
     }
 }

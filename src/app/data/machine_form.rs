@@ -1,14 +1,24 @@
-//! The fields of a machine. Words of its control, codes and serial line are edited in the file.
+//! The fields of a machine. Codes of its control, gears and serial line are edited in the file.
 
-use super::field::{Field, Group, Is, Table, figure, maybe, plain};
+use super::field::{Field, Group, Is, Table, figure, get, maybe, plain};
+use super::words_form;
 use serde_json::{Value, json};
 
 const CUTS: Is = Is::OneOf(&[("towards-headstock", "towards the headstock only"), ("both", "both ways")]);
 const ZERO: Is = Is::OneOf(&[("free-end", "free end"), ("clamped-end", "clamped end")]);
 const SIDE: Is = Is::OneOf(&[("rear", "behind the axis"), ("front", "in front of the axis")]);
 
-/// The groups of fields of every machine.
-pub(super) const GROUPS: [Group; 9] = [
+/// The groups of fields of the machine `item`.
+pub(super) fn groups(item: &Value) -> Vec<Group> {
+    let mut groups = GROUPS.to_vec();
+    if get(item, "words").is_some_and(|words| !words.is_null()) {
+        groups.extend(words_form::GROUPS);
+    }
+    groups
+}
+
+/// The groups of every machine.
+const GROUPS: [Group; 10] = [
     Group {
         title: "",
         optional: None,
@@ -84,6 +94,7 @@ pub(super) const GROUPS: [Group; 9] = [
             plain("chuck.cuts", "Cuts", CUTS),
         ],
     },
+    Group { title: "Driver between centres", optional: Some(("mandrel", mandrel)), fields: MANDREL },
     Group { title: "Tailstock", optional: Some(("tailstock", tailstock)), fields: TAILSTOCK },
     Group {
         title: "Cost",
@@ -96,6 +107,7 @@ pub(super) const GROUPS: [Group; 9] = [
     },
 ];
 
+const MANDREL: &[Field] = &[Field { path: "mandrel.outline", label: "Corners z r", unit: "mm", is: Is::Rows(2) }];
 const TAILSTOCK: &[Field] = &[Field { path: "tailstock.outline", label: "Corners z r", unit: "mm", is: Is::Rows(2) }];
 
 /// The turret.
@@ -119,6 +131,10 @@ fn rest() -> Value {
     json!({"z_mm": 200.0, "diameter_mm": 200.0})
 }
 
+fn mandrel() -> Value {
+    json!({"outline": [[-60.0, 0.0], [0.0, 0.0], [0.0, 10.0], [-20.0, 30.0], [-60.0, 30.0]]})
+}
+
 fn tailstock() -> Value {
     json!({"outline": [[0.0, 0.0], [160.0, 0.0], [160.0, 35.0], [60.0, 35.0], [30.0, 12.5], [0.0, 4.0]]})
 }
@@ -133,7 +149,7 @@ fn station() -> Value {
 
 #[cfg(test)]
 mod tests {
-    use super::super::field::{get, set};
+    use super::super::field::set;
     use super::*;
     use crate::machine::{Catalog, Machine, faults};
 
@@ -151,7 +167,8 @@ mod tests {
                 assert!(get(&value, field.path).is_some(), "{}: {}", machine.id, field.path);
             }
             let read: Machine = serde_json::from_value(value).unwrap();
-            let optional = |path: &str| ["motion", "rest", "tailstock", "cost"].iter().any(|o| path.starts_with(o));
+            let optional =
+                |path: &str| ["motion", "rest", "mandrel", "tailstock", "cost"].iter().any(|o| path.starts_with(o));
             // The ORAC's control takes no rapid rates; that is said at the group.
             let optional = |path: &str| optional(path) && path != "motion";
             assert!(faults(&read).iter().all(|f| !optional(&f.path)), "{:?}", faults(&read));

@@ -6,6 +6,7 @@ mod form;
 mod machine_form;
 mod material_form;
 mod tool_form;
+mod words_form;
 
 use super::actions::Action;
 use super::plots::{Palette, fixed, tool_picture};
