@@ -2,6 +2,7 @@
 
 mod cutter_path;
 pub mod cycles;
+pub mod figures;
 pub mod planner;
 pub mod published;
 mod recipe;

@@ -1,6 +1,5 @@
 //! The selected operation in the inspector.
 
-use super::figures::Figures;
 use super::{OperationsView, instruction};
 use crate::app::actions::Action;
 use crate::app::data::Kind;
@@ -10,6 +9,7 @@ use crate::app::theme::{self, Colors};
 use crate::app::widgets::{clock, link, remark};
 use crate::document::Generator;
 use crate::session::Session;
+use crate::turning::figures::Figures;
 use egui::Ui;
 
 /// Shows everything about the operation `index`: what can be changed as fields, what follows as facts.

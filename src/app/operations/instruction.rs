@@ -104,7 +104,7 @@ impl Form<'_> {
         ui.horizontal(|ui| {
             form_label(ui, label, LABEL);
             let width = ui.available_width();
-            let shown = super::figures::short(value);
+            let shown = crate::turning::figures::short(value);
             if let Some(typed) = field(ui, label, &shown, width, |text| parse_length(text, Unit::Mm)) {
                 self.put(typed, session, label, write);
             }

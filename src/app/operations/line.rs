@@ -1,11 +1,11 @@
 //! The lines of the list: one for every operation that does something or is instructed.
 
-use super::figures::{Figures, short};
 use crate::app::plots::Palette;
 use crate::document::{Document, Instruction, TurnedPart};
 use crate::machine::Machine;
 use crate::regen::{Derived, OperationTime, Operations, SetupDerived};
 use crate::session::Session;
+use crate::turning::figures::{Figures, short};
 use crate::units::Unit;
 use egui::Color32;
 use std::sync::Arc;

@@ -1,7 +1,6 @@
 //! The operations of the clamping shown: in which order, with what, and how long they take.
 
 mod edit;
-mod figures;
 mod inspect;
 mod instruction;
 mod line;

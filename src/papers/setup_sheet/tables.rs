@@ -6,6 +6,8 @@ use crate::diagnostic::Severity;
 use crate::papers::page::Ink;
 use crate::proof::Motion;
 use crate::regen::Operations;
+use crate::turning::Operation;
+use crate::turning::figures::Figures;
 
 /// Findings that are told; the others are counted.
 const MOST_FINDINGS: usize = 12;
@@ -17,13 +19,21 @@ pub(super) fn operations(subject: &Subject<'_>, to: &mut Writer) {
     let (times, _) = operations.times();
     for (k, (operation, time)) in subject.item.path.operations.iter().zip(&times).enumerate() {
         to.row(&[
-            figure(LEFT_MM, 8.0, (k + 1).to_string()),
-            cell(LEFT_MM + 12.0, 85.0, operation.name.as_str()),
-            cell(LEFT_MM + 100.0, 20.0, format!("tool {}", operation.tool)),
-            figure(LEFT_MM + 120.0, 25.0, format!("{} blocks", operations.blocks(k).len())),
-            figure(LEFT_MM + 148.0, 27.0, minutes(time.total_s())),
+            figure(LEFT_MM, 6.0, (k + 1).to_string()),
+            cell(LEFT_MM + 9.0, 50.0, operation.name.as_str()),
+            cell(LEFT_MM + 61.0, 14.0, format!("tool {}", operation.tool)),
+            grey(LEFT_MM + 77.0, 56.0, feeds_and_speeds(operation, subject)),
+            figure(LEFT_MM + 133.0, 19.0, format!("{} blocks", operations.blocks(k).len())),
+            figure(LEFT_MM + 153.0, 22.0, minutes(time.total_s())),
         ]);
     }
+}
+
+/// Feeds and speeds of an operation: `0.3 mm/rev, 200 m/min`.
+fn feeds_and_speeds(operation: &Operation, subject: &Subject<'_>) -> String {
+    let figures = Figures::of(operation, subject.machine).texts(subject.unit);
+    let wanted = figures.into_iter().filter(|(name, _)| name.starts_with("Feed") || name.ends_with("peed"));
+    wanted.map(|(_, text)| text).collect::<Vec<_>>().join(", ")
 }
 
 /// Every program in the order of running, with its size and time.

@@ -24,6 +24,8 @@ pub(super) struct Writer {
     pages: Vec<Page>,
     /// The page being written.
     pub(super) page: Page,
+    /// The heading of what is being written.
+    table: Option<String>,
     /// Height on the page down to which it is written, mm.
     pub(super) r: f64,
 }
@@ -32,21 +34,35 @@ impl Writer {
     /// Begins the sheet of a clamping.
     pub(super) fn new(name: &str) -> Self {
         let title = format!("Setup sheet {name}");
-        Self { page: empty(&title), title, pages: Vec::new(), r: TOP_MM }
+        Self { page: empty(&title), title, pages: Vec::new(), table: None, r: TOP_MM }
     }
 
-    /// Makes room for something of this height, on a new page if there is none left.
+    /// Makes room for something of this height, on a new page if there is none left; what goes on there says so.
     pub(super) fn need(&mut self, height: f64) {
         if self.r - height < BOTTOM_MM {
-            let full = std::mem::replace(&mut self.page, empty(&self.title));
-            self.pages.push(full);
-            self.r = TOP_MM;
+            self.turn_over();
+            if let Some(table) = self.table.clone() {
+                self.write_heading(&format!("{table}, continued"));
+            }
         }
+    }
+
+    fn turn_over(&mut self) {
+        let full = std::mem::replace(&mut self.page, empty(&self.title));
+        self.pages.push(full);
+        self.r = TOP_MM;
     }
 
     /// A heading that stays with what follows, at least `follows` mm of it.
     pub(super) fn heading(&mut self, text: &str, follows: f64) {
-        self.need(1.5 * LINE_MM + 2.0 + follows);
+        if self.r - (1.5 * LINE_MM + 2.0 + follows) < BOTTOM_MM {
+            self.turn_over();
+        }
+        self.table = Some(text.to_owned());
+        self.write_heading(text);
+    }
+
+    fn write_heading(&mut self, text: &str) {
         self.r -= 1.5 * LINE_MM;
         self.page.heading(Point::new(LEFT_MM, self.r), 3.0, text);
         self.r -= 2.0;

@@ -1,8 +1,7 @@
 //! What an operation's path says about itself, in words.
 
-use crate::app::plots::fixed;
+use super::{Cut, CutMove, Feed, Operation, RecipeKind, Speed};
 use crate::machine::Machine;
-use crate::turning::{Cut, CutMove, Feed, Operation, RecipeKind, Speed};
 use crate::units::Unit;
 
 /// Smallest and largest of some figures.
@@ -14,7 +13,7 @@ struct Span {
 
 /// Depth, allowance, feeds and speeds of an operation; lengths in mm.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Figures {
+pub struct Figures {
     depth: Option<Span>,
     allowance: Option<Span>,
     feed_per_min: Option<Span>,
@@ -33,7 +32,8 @@ fn widen(span: &mut Option<Span>, value: f64) {
 
 impl Figures {
     /// Those that the path of `operation` carries; feeds that count as rapid on `machine` are ways through air.
-    pub(super) fn of(operation: &Operation, machine: Option<&Machine>) -> Self {
+    #[must_use]
+    pub fn of(operation: &Operation, machine: Option<&Machine>) -> Self {
         let mut figures = Self::default();
         figures.take(&operation.moves, machine);
         for recipe in &operation.recipes {
@@ -85,7 +85,8 @@ impl Figures {
     }
 
     /// Names and texts of the figures that there are, lengths in `unit`.
-    pub(super) fn texts(&self, unit: Unit) -> Vec<(&'static str, String)> {
+    #[must_use]
+    pub fn texts(&self, unit: Unit) -> Vec<(&'static str, String)> {
         let (symbol, mm) = (unit.symbol(), unit.in_mm());
         let figures = [
             ("Depth", self.depth, mm, 3, symbol.to_owned()),
@@ -108,13 +109,15 @@ fn range(span: Span, scale: f64, decimals: usize) -> String {
 }
 
 /// A figure with at most three decimals and no zeros behind them.
-pub(super) fn short(value: f64) -> String {
+#[must_use]
+pub fn short(value: f64) -> String {
     trimmed(value, 3)
 }
 
 fn trimmed(value: f64, decimals: usize) -> String {
-    let text = fixed(value, decimals);
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    let text = format!("{value:.decimals$}");
+    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
 #[cfg(test)]
