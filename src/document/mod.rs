@@ -1,6 +1,7 @@
 //! What a user edits and saves: plain data, in the unit the user chose, and nothing derived from it.
 
 mod cycles;
+mod operations;
 mod program;
 mod row;
 mod threading;
@@ -9,6 +10,7 @@ use crate::diagnostic::SectionTable;
 use crate::part::Section;
 use crate::units::Unit;
 pub use cycles::{CutIn, Cycle, Instruction};
+pub use operations::{OperationEdit, OperationKind, OperationRef, PlanEdits};
 pub use program::ProgramChoices;
 use row::{EndsRow, ParabolaCutRow};
 use serde::{Deserialize, Serialize};
@@ -74,6 +76,9 @@ pub struct TurnedPart {
     /// Which generator makes the program.
     #[serde(default)]
     pub generator: Generator,
+    /// What was changed of the planner's operations.
+    #[serde(default, skip_serializing_if = "is_default")]
+    pub plan: PlanEdits,
     /// How planned threads are cut.
     #[serde(default, skip_serializing_if = "is_default")]
     pub threading: ThreadChoices,
@@ -212,6 +217,7 @@ impl Default for TurnedPart {
             facing_allowance: 0.0,
             stock_bore_diameter: 0.0,
             generator: Generator::default(),
+            plan: PlanEdits::default(),
             threading: ThreadChoices::default(),
             program: ProgramChoices::default(),
             form_tolerance: 0.0,
@@ -242,6 +248,7 @@ impl TurnedPart {
             facing_allowance: self.facing_allowance * factor,
             stock_bore_diameter: self.stock_bore_diameter * factor,
             generator: self.generator.scaled(factor),
+            plan: self.plan.scaled(factor),
             form_tolerance: self.form_tolerance * factor,
             sections: self.sections.iter().map(|s| s.scaled(factor)).collect(),
             bore: self.bore.iter().map(|s| s.scaled(factor)).collect(),

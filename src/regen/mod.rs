@@ -9,7 +9,7 @@ mod stage;
 
 use crate::cancel::{Cancel, Cancelled};
 use crate::diagnostic::{Diagnostic, Place};
-use crate::document::{Content, Document, Generator, ProgramChoices, ThreadChoices, TurnedPart};
+use crate::document::{Content, Document, Generator, PlanEdits, ProgramChoices, ThreadChoices, TurnedPart};
 use crate::machine::{self, Catalog, Machine, Material, ToolOutline};
 use crate::part::{self, PartContour, Setup, ThreadSpec, UnreachableArea};
 use crate::post::{self, PostOutput};
@@ -244,6 +244,7 @@ fn geometry_only(part: &TurnedPart) -> TurnedPart {
     TurnedPart {
         material: String::new(),
         generator: Generator::default(),
+        plan: PlanEdits::default(),
         threading: ThreadChoices::default(),
         program: ProgramChoices::default(),
         ..without_proof_settings(part)

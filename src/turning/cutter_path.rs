@@ -1,6 +1,7 @@
 //! Cutter location data: where the programmed point of the tool goes, before any control's words.
 
 use super::Recipe;
+pub use crate::document::OperationKind;
 use crate::geometry::{Point, Vector};
 
 /// All operations of one set-up. Points are in the set-up's part space, mm, unrounded.
@@ -29,37 +30,6 @@ pub struct Operation {
     pub moves: Vec<CutMove>,
     /// What some of them were made from, in their order; generators that do not tell leave it empty.
     pub recipes: Vec<Recipe>,
-}
-
-/// Purpose of an operation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum OperationKind {
-    /// Roughing towards the chuck.
-    RoughRight,
-    /// Finishing towards the chuck.
-    FinishRight,
-    /// Roughing what the right-hand tool leaves.
-    RoughLeft,
-    /// Finishing what the right-hand tool leaves.
-    FinishLeft,
-    /// Facing the free end.
-    Face,
-    /// Grooves with a blade.
-    Groove,
-    /// Hollows that a turning tool enters along a cut-in line.
-    Pocket,
-    /// Drilling on the axis.
-    Drill,
-    /// Roughing a bore.
-    RoughBore,
-    /// Finishing a bore.
-    FinishBore,
-    /// Threading outside.
-    Thread,
-    /// Threading in a bore.
-    ThreadBore,
-    /// Parting off.
-    PartOff,
 }
 
 /// How a cutting move is made.
@@ -160,28 +130,6 @@ pub enum CutMove {
         /// The moves of the first time.
         body: Vec<CutMove>,
     },
-}
-
-impl OperationKind {
-    /// Name for people.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::RoughRight => "Rough, right-hand",
-            Self::FinishRight => "Finish, right-hand",
-            Self::RoughLeft => "Rough, left-hand",
-            Self::FinishLeft => "Finish, left-hand",
-            Self::Face => "Face",
-            Self::Groove => "Groove",
-            Self::Pocket => "Pocket",
-            Self::Drill => "Drill",
-            Self::RoughBore => "Rough bore",
-            Self::FinishBore => "Finish bore",
-            Self::Thread => "Thread",
-            Self::ThreadBore => "Thread in bore",
-            Self::PartOff => "Part off",
-        }
-    }
 }
 
 impl Cut {

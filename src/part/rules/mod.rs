@@ -25,6 +25,7 @@ mod parabola_points;
 mod parabola_straight;
 mod parabola_turns_back;
 mod pitch;
+mod plan_edits;
 mod published_generator;
 mod starts;
 mod stock;
@@ -41,10 +42,11 @@ mod test_table;
 use super::check::Rule;
 
 /// The rules of the outside's table and of the part as a whole, in the order of their messages.
-pub(super) const RULES: [Rule; 30] = [
+pub(super) const RULES: [Rule; 31] = [
     figures::check,
     stock::check,
     facing_allowance::check,
+    plan_edits::check,
     between_centres::check,
     no_sections::check,
     order::check,

@@ -1,6 +1,7 @@
 //! Feeds, speeds and depths of an operation.
 
 use super::side::Side;
+use crate::document::OperationEdit;
 use crate::machine::{Chip, CuttingOperation, Machine, Material, SpeedRule, Spindle, ToolMaterial};
 use crate::turning::{Cut, Feed, OperationKind, Speed};
 
@@ -114,6 +115,27 @@ impl Conditions {
             side: Side::Outside,
             power: None,
         })
+    }
+
+    /// The same with what the user changed: figures that are no positive numbers change nothing.
+    pub(super) fn changed(mut self, edit: &OperationEdit, machine: &Machine) -> Self {
+        let usable = |figure: Option<f64>| figure.filter(|v| v.is_finite() && *v > 0.0);
+        self.depth = usable(edit.depth).unwrap_or(self.depth);
+        if let Some(feed) = usable(edit.feed) {
+            self.feed = match self.feed {
+                Feed::PerMinute(_) => Feed::PerMinute(feed),
+                Feed::PerRev(_) => Feed::PerRev(feed),
+            };
+        }
+        if let Some(m_per_min) = usable(edit.speed_m_per_min) {
+            self.turning = match self.turning {
+                Turning::Surface { max_rpm, .. } => Turning::Surface { m_per_min, max_rpm },
+                Turning::ByRadius { .. } | Turning::Steps { .. } => {
+                    Turning::Steps { m_per_min, machine: Box::new(machine.clone()) }
+                }
+            };
+        }
+        self
     }
 
     /// The same with the feed that the spindle's power allows for a chip of `width` mm, if tables give what it takes.

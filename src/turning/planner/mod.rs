@@ -17,6 +17,7 @@
 //! | `left` | what no tool could reach |
 //! | `conditions`, `hand`, `order` | feeds, speeds, depths; which tool does what, and when |
 //! | `order/face`, `order/drill`, `order/bore`, `order/part_off` | facing of the free end; the bore; parting off |
+//! | `order/steps` | the order of operations as planned and as changed by the user |
 //! | `order/threads`, `order/thread_passes` | threads of one side; their passes |
 
 mod chain;

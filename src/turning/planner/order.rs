@@ -4,11 +4,13 @@ mod bore;
 mod drill;
 mod face;
 mod part_off;
+mod steps;
 mod thread_passes;
 mod threads;
 
 use super::conditions::Conditions;
 use super::follow::Follow;
+use super::groove;
 use super::left::{self, Left};
 use super::link::{LEAN, go};
 use super::path::Path;
@@ -17,8 +19,8 @@ use super::side::Side;
 use super::tool::{Cutter, Use};
 use super::trace::ArcRules;
 use super::work::Work;
-use super::{groove, hand};
 use crate::diagnostic::{Diagnostic, Place, SectionTable, Severity};
+use crate::document::OperationEdit;
 use crate::geometry::Point;
 use crate::machine::{Machine, ToolOutline};
 use crate::part::{PartContour, Setup};
@@ -64,6 +66,8 @@ pub(super) struct Order<'a> {
     work: Work,
     rules: ArcRules,
     cutters: Vec<Cutter>,
+    /// What the user changed of the operation that is planned.
+    edit: Option<OperationEdit>,
     operations: Vec<Operation>,
     diagnostics: Vec<Diagnostic>,
 }
@@ -80,6 +84,7 @@ impl<'a> Order<'a> {
             work: Work::new(task.setup, contour, task.machine),
             rules: ArcRules::from(&task.machine.limits),
             cutters: task.tools.iter().filter_map(|(&station, outline)| cutter(station, outline, task.setup)).collect(),
+            edit: None,
             operations: Vec::new(),
             diagnostics: Vec::new(),
         }
@@ -90,73 +95,6 @@ impl<'a> Order<'a> {
         (self.operations, self.diagnostics)
     }
 
-    /// Plans everything.
-    pub(super) fn plan(&mut self, setup: &Setup, contour: &PartContour) {
-        let of = |wanted: fn(&Cutter) -> bool| -> Vec<Cutter> {
-            self.cutters.iter().filter(|c| wanted(c)).cloned().collect()
-        };
-        let right = of(|c| c.r#use == Use::Right && !c.turned);
-        let left = of(|c| c.r#use == Use::Left || c.turned);
-        let (blades, threading) = (of(|c| matches!(c.r#use, Use::Blade { .. })), of(|c| c.r#use == Use::Thread));
-        self.face(setup);
-        self.turn(&[right, left]);
-        for cutter in &blades {
-            self.groove(cutter);
-        }
-        self.left(contour);
-        self.bore(setup);
-        if let Some(cutter) = threading.first() {
-            self.threads(&setup.threads, cutter);
-        }
-        if setup.part_off_width.is_some() && !blades.is_empty() {
-            self.part_off(setup, &blades);
-        }
-        self.missing(setup, blades.is_empty(), threading.is_empty());
-    }
-
-    /// Roughs and finishes with the turning tools of either hand.
-    fn turn(&mut self, hands: &[Vec<Cutter>; 2]) {
-        let first = hands.iter().flatten().next().map(|c| c.station);
-        let depth = first.and_then(|k| self.conditions(OperationKind::RoughRight, k)).map_or(0.0, |c| c.depth);
-        let [right, left] = hands.each_ref().map(|tools| (hand::roughing(tools, depth), hand::finishing(tools)));
-        let stays = |(rough, finish): &(Vec<Cutter>, Vec<Cutter>)| {
-            rough.first().map(|c| c.station) == finish.first().map(|c| c.station)
-        };
-        let mut worth = FINISH_WORTH_MM;
-        let hands = [&right, &left];
-        if stays(&right) && stays(&left) {
-            // Finishing at once spares changes of tool.
-            for (rough, finish) in hands {
-                self.rough_with(rough);
-                self.finish_with(finish.iter().take(1), &mut worth);
-            }
-        } else {
-            for (rough, _) in hands {
-                self.rough_with(rough);
-            }
-            for (_, finish) in hands {
-                self.finish_with(finish.iter().take(1), &mut worth);
-            }
-        }
-        for (_, finish) in hands {
-            self.finish_with(finish.iter().skip(1), &mut worth);
-        }
-    }
-
-    fn rough_with(&mut self, tools: &[Cutter]) {
-        for cutter in tools {
-            self.rough(cutter);
-        }
-    }
-
-    /// Finishes; the first tool cuts all that it can, others what is worth them.
-    fn finish_with<'t>(&mut self, tools: impl Iterator<Item = &'t Cutter>, worth: &mut f64) {
-        for cutter in tools {
-            self.finish(cutter, *worth);
-            *worth = TOOL_WORTH_MM;
-        }
-    }
-
     /// The row of a section.
     fn row(&self, id: u32) -> Place {
         let (table, index) = self.task.part_mm.row(id).map_or((SectionTable::Outside, 0), |(table, k, _)| (table, k));
@@ -165,23 +103,32 @@ impl<'a> Order<'a> {
 
     /// Feeds, speeds and depths; without them the operation is left out, and that is said once.
     fn conditions(&mut self, kind: OperationKind, station: u32) -> Option<Conditions> {
-        let material = self.task.material_mm;
-        let kind = self.side.kind(kind);
-        let edge = self.task.tools.get(&station).map(|tool| tool.edge).unwrap_or_default();
-        let found = Conditions::of(kind, edge, self.side, self.machine, material);
+        let found = self.looked_up(kind, station);
         if found.is_none() && !self.diagnostics.iter().any(|d| d.code == "no-cutting-data") {
             let message = format!(
                 "The material table has no usable speed, feed and depth of {} for \"{}\" on {}.",
-                material.name,
-                kind.name(),
+                self.task.material_mm.name,
+                self.side.kind(kind).name(),
                 self.machine.name
             );
             let said = Diagnostic::error("no-cutting-data", Place::Stock, message)
                 .with_hint("Choose another material, or add the row to the material table.");
             self.diagnostics.push(said);
         }
-        let width = found.as_ref().map_or(0.0, |conditions| self.chip_width(kind, station, conditions));
-        found.map(|conditions| conditions.within_power(&self.machine.spindle, material, width))
+        found
+    }
+
+    /// Feeds, speeds and depths, as changed by the user.
+    fn looked_up(&self, kind: OperationKind, station: u32) -> Option<Conditions> {
+        let (machine, material) = (self.machine, self.task.material_mm);
+        let edge = self.task.tools.get(&station).map(|tool| tool.edge).unwrap_or_default();
+        let found = Conditions::of(self.side.kind(kind), edge, self.side, machine, material)?;
+        let found = match &self.edit {
+            Some(edit) => found.changed(edit, machine),
+            None => found,
+        };
+        let width = self.chip_width(kind, station, &found);
+        Some(found.within_power(&machine.spindle, material, width))
     }
 
     /// Depth of cut, or of blades and drills the width of the edge, mm.
@@ -332,11 +279,11 @@ impl<'a> Order<'a> {
         }
     }
 
-    fn missing(&mut self, setup: &Setup, no_blade: bool, no_threading: bool) {
-        if no_threading && !setup.threads.is_empty() {
+    fn missing(&mut self, setup: &Setup) {
+        if !setup.threads.is_empty() && !self.cutters.iter().any(|c| c.r#use == Use::Thread) {
             self.lacks("a thread", "threading tool");
         }
-        if no_blade && setup.part_off_width.is_some() {
+        if setup.part_off_width.is_some() && self.blades().is_empty() {
             self.lacks("to be parted off", "parting blade");
         }
     }

@@ -3,8 +3,11 @@
 //! The bore is planned by the same steps as the outside, on radii counted from outside (`Side::Inside`). What is new is that
 //! there is a wall behind the tool, too: how deep a bar goes is found from the hole as it is.
 
-use super::{FINISH_WORTH_MM, Order, TOOL_WORTH_MM};
+use super::drill::drills;
+use super::steps::{Step, chosen, does, unsuitable};
+use super::{FINISH_WORTH_MM, Order};
 use crate::diagnostic::{Diagnostic, Place};
+use crate::document::{OperationEdit, OperationKind};
 use crate::geometry::{Point, Segment};
 use crate::machine::{Machine, ToolKind};
 use crate::part::{self, PartContour, Setup};
@@ -94,94 +97,133 @@ fn is_open(first: &part::Piece, z: f64) -> bool {
     start.z < z - SAME_MM || start.r > ON_AXIS_MM
 }
 
-impl Order<'_> {
-    /// Makes the bore, if there is one.
-    pub(super) fn bore(&mut self, setup: &Setup) {
-        let Some(bore) = Bore::of(setup) else { return };
+/// The bore as it is planned: a work of its own, seen from inside.
+pub(super) struct Inside<'a> {
+    order: Order<'a>,
+    bore: Bore,
+    /// Where bars could rough; the hole is wider then, but what was not roughed is not finished.
+    roughed: f64,
+}
+
+impl<'a> Inside<'a> {
+    /// The bore of a set-up; `None` if nothing of it is machined.
+    pub(super) fn of(outside: &Order<'a>, setup: &Setup) -> Option<Self> {
+        let bore = Bore::of(setup)?;
         let side = bore.side;
-        let tools = self.task.tools.iter();
-        let seen = tools.filter(|(_, outline)| outline.kind != ToolKind::Drill);
-        let mut inside = Order {
-            machine: self.machine,
-            task: self.task,
-            datum: Point::new(self.datum.z, bore.axis),
-            zero_z: self.zero_z,
+        let seen = outside.task.tools.iter().filter(|(_, outline)| outline.kind != ToolKind::Drill);
+        let order = Order {
+            machine: outside.machine,
+            task: outside.task,
+            datum: Point::new(outside.datum.z, bore.axis),
+            zero_z: outside.zero_z,
             side,
-            work: bore.work(setup, self.machine, self.work.end_z()),
-            rules: self.rules,
+            work: bore.work(setup, outside.machine, outside.work.end_z()),
+            rules: outside.rules,
             cutters: seen.filter_map(|(&station, outline)| Cutter::new(station, &side.tool(outline)?)).collect(),
+            edit: None,
             operations: Vec::new(),
             diagnostics: Vec::new(),
         };
-        inside.drill(&bore);
-        inside.bars(bore.from_z);
-        inside.left(&bore.contour);
-        inside.bore_threads(setup, bore.from_z);
-        let (operations, said) = inside.done();
-        self.operations.extend(operations.into_iter().map(|o| side.operation(o)));
-        self.diagnostics.extend(said);
+        Some(Self { order, bore, roughed: f64::INFINITY })
     }
 
-    /// Roughs with the bars, the strongest first, finishes with them, the finest first, and cuts grooves.
-    fn bars(&mut self, bored_from_z: f64) {
-        let from_z = bored_from_z;
-        let of = |wanted: fn(&Use) -> bool| -> Vec<Cutter> {
-            let mut found: Vec<Cutter> = self.cutters.iter().filter(|c| wanted(&c.r#use)).cloned().collect();
+    /// Drills, the widest first; bars rough, the strongest first, and finish, the finest first; grooves; threads.
+    pub(super) fn steps(&self, setup: &Setup) -> Vec<Step> {
+        let of = |wanted: fn(&Use) -> bool| -> Vec<&Cutter> {
+            let mut found: Vec<&Cutter> = self.order.cutters.iter().filter(|c| wanted(&c.r#use)).collect();
             found.sort_by(|a, b| b.nose.total_cmp(&a.nose));
             found
         };
         let (right, left) = (of(|u| *u == Use::Right), of(|u| *u == Use::Left));
-        let blades = of(|u| matches!(u, Use::Blade { .. }));
-        // Where bars could rough; the hole is wider then, but what was not roughed is not finished.
-        let mut roughed = f64::INFINITY;
-        for bar in &right {
-            if self.comes_in(bar, from_z) {
-                self.rough(bar);
-                roughed = roughed.min(self.work.from_z);
-            }
-        }
-        let from_z = from_z.max(roughed);
-        for (k, bar) in right.iter().rev().enumerate() {
-            if self.comes_in(bar, from_z) {
-                self.finish(bar, if k == 0 { FINISH_WORTH_MM } else { TOOL_WORTH_MM });
-            }
+        let step = |kind| move |c: &&Cutter| Step::of(kind, c.station);
+        let mut steps: Vec<Step> =
+            drills(self.order.task).into_iter().map(|k| Step::of(OperationKind::Drill, k)).collect();
+        steps.extend(right.iter().map(step(OperationKind::RoughBore)));
+        let finishing = steps.len();
+        steps.extend(right.iter().rev().map(step(OperationKind::FinishBore)));
+        if let Some(first) = steps.get_mut(finishing) {
+            first.worth = FINISH_WORTH_MM;
         }
         for bar in &left {
-            if self.comes_in(bar, from_z) {
-                self.rough(bar);
-                self.finish(bar, TOOL_WORTH_MM);
-            }
+            steps.extend([OperationKind::RoughBore, OperationKind::FinishBore].map(|k| Step::of(k, bar.station)));
         }
-        for blade in &blades {
-            if self.comes_in(blade, from_z) {
-                self.groove(blade);
-            }
-        }
-        self.work.from_z = bored_from_z;
+        steps.extend(of(|u| matches!(u, Use::Blade { .. })).iter().map(step(OperationKind::Groove)));
+        let threading = of(|u| *u == Use::Thread).into_iter().min_by_key(|c| c.station);
+        let thread = threading.filter(|_| !setup.bore_threads.is_empty());
+        steps.extend(thread.map(|c| Step::of(OperationKind::ThreadBore, c.station)));
+        steps
     }
 
-    /// Cuts the threads of the bore with the first bar for threads that comes in.
-    fn bore_threads(&mut self, setup: &Setup, from_z: f64) {
-        if setup.bore_threads.is_empty() {
+    /// Takes a step; its operations go to those outside.
+    pub(super) fn take(&mut self, outside: &mut Order<'a>, setup: &Setup, step: &Step, edit: Option<OperationEdit>) {
+        let chosen = chosen(edit.as_ref());
+        let station = chosen.unwrap_or(step.tool);
+        let end_z = outside.work.end_z();
+        self.order.work.stock = self.order.work.stock.clipped(f64::NEG_INFINITY, end_z);
+        self.order.edit = edit;
+        match step.kind {
+            OperationKind::Drill => self.order.drill(&self.bore, station),
+            OperationKind::ThreadBore => self.threads(setup, chosen),
+            _ => self.cut(step, station),
+        }
+        self.order.edit = None;
+        self.order.work.from_z = self.bore.from_z;
+        let operations = std::mem::take(&mut self.order.operations);
+        outside.operations.extend(operations.into_iter().map(|o| self.bore.side.operation(o)));
+        outside.diagnostics.append(&mut self.order.diagnostics);
+    }
+
+    fn cut(&mut self, step: &Step, station: u32) {
+        let found = self.order.cutters.iter().find(|c| c.station == station && does(c, step.kind));
+        let Some(bar) = found.cloned() else {
+            self.order.diagnostics.push(unsuitable(step.kind, station, &self.order.machine.name));
+            return;
+        };
+        let roughs = step.kind == OperationKind::RoughBore;
+        let from_z = if roughs { self.bore.from_z } else { self.bore.from_z.max(self.roughed) };
+        if !self.order.comes_in(&bar, from_z) {
             return;
         }
-        let bars: Vec<Cutter> = self.cutters.iter().filter(|c| c.r#use == Use::Thread).cloned().collect();
-        if bars.is_empty() {
-            self.lacks("a thread in its bore", "threading bar");
-            return;
+        match step.kind {
+            OperationKind::RoughBore => {
+                self.order.rough(&bar);
+                self.roughed = self.roughed.min(self.order.work.from_z);
+            }
+            OperationKind::FinishBore => self.order.finish(&bar, step.worth),
+            _ => self.order.groove(&bar),
         }
+    }
+
+    /// Cuts every thread of the bore with the first bar for threads that comes in, or with the chosen one.
+    fn threads(&mut self, setup: &Setup, chosen: Option<u32>) {
+        let bars = self.order.cutters.iter().filter(|c| c.r#use == Use::Thread);
+        let bars: Vec<Cutter> = bars.filter(|c| chosen.is_none_or(|k| c.station == k)).cloned().collect();
         for thread in &setup.bore_threads {
-            let reaches = |order: &mut Self, bar: &Cutter| {
+            let from_z = self.bore.from_z;
+            let reaches = |order: &mut Order<'_>, bar: &Cutter| {
                 order.comes_in(bar, from_z) && order.work.from_z - bar.bottom.0 <= thread.z1 + thread.pitch
             };
-            match bars.iter().find(|bar| reaches(self, bar)) {
-                Some(bar) => self.threads(std::slice::from_ref(thread), bar),
-                None => self.diagnostics.push(not_threaded(self.row(thread.section), &self.machine.name)),
+            if let Some(bar) = bars.iter().find(|bar| reaches(&mut self.order, bar)) {
+                self.order.threads(std::slice::from_ref(thread), bar);
+            } else {
+                let row = self.order.row(thread.section);
+                self.order.diagnostics.push(not_threaded(row, &self.order.machine.name));
             }
         }
-        self.work.from_z = from_z;
     }
 
+    /// Says what is left, and what could not be made for want of a tool.
+    pub(super) fn end(mut self, outside: &mut Order<'a>, setup: &Setup) {
+        self.order.left(&self.bore.contour);
+        let has_bar = self.order.cutters.iter().any(|c| c.r#use == Use::Thread);
+        if !setup.bore_threads.is_empty() && !has_bar {
+            self.order.lacks("a thread in its bore", "threading bar");
+        }
+        outside.diagnostics.append(&mut self.order.diagnostics);
+    }
+}
+
+impl Order<'_> {
     /// Finds how deep a bar can go into the hole as it is: with the way back from the wall that it cuts free, clear of the wall
     /// behind it, and with its sleeve in the open. That is where machining begins for it. False if it does not come in.
     pub(super) fn comes_in(&mut self, bar: &Cutter, from_z: f64) -> bool {

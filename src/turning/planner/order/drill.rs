@@ -2,14 +2,15 @@
 
 use super::Order;
 use super::bore::Bore;
+use super::steps::unsuitable;
 use crate::geometry::{Contour, Point, Segment};
 use crate::machine::{ToolKind, ToolOutline};
-use crate::turning::OperationKind;
 use crate::turning::planner::link::CLEARANCE_MM;
 use crate::turning::planner::outline::Turn;
 use crate::turning::planner::path::Path;
 use crate::turning::planner::shape::Shape;
 use crate::turning::planner::tool::Cutter;
+use crate::turning::{OperationKind, Task};
 
 /// How far the full diameter of a drill goes beyond a hole that is open there, mm.
 const BREAK_THROUGH_MM: f64 = 1.0;
@@ -30,17 +31,17 @@ const SLEEVE_MM: f64 = 1.0;
 const ROUNDING_MM: f64 = 1e-6;
 
 impl Order<'_> {
-    /// Drills what is solid, with the widest drill first, each as deep as it may go.
-    pub(super) fn drill(&mut self, bore: &Bore) {
-        let of_drills = self.task.tools.iter().filter(|(_, outline)| outline.kind == ToolKind::Drill);
-        let mut drills: Vec<(u32, &ToolOutline)> = of_drills.map(|(&station, outline)| (station, outline)).collect();
-        drills.sort_by(|a, b| radius(&b.1.insert).total_cmp(&radius(&a.1.insert)));
-        for (station, outline) in drills {
-            let seen = bore.side.tool(outline);
-            let Some((seen, cutter)) = seen.and_then(|s| Cutter::new(station, &s).map(|c| (s, c))) else { continue };
-            if let Some(tip) = self.tip(bore, &seen).filter(|&tip| self.is_solid(bore, tip)) {
-                self.drill_to(bore, &cutter, radius(&outline.insert), tip);
-            }
+    /// Drills what is solid as deep as the drill of a station may go.
+    pub(super) fn drill(&mut self, bore: &Bore, station: u32) {
+        let outline = self.task.tools.get(&station).filter(|outline| outline.kind == ToolKind::Drill);
+        let seen = outline.and_then(|outline| Some((outline, bore.side.tool(outline)?)));
+        let cutter = seen.as_ref().and_then(|(_, seen)| Cutter::new(station, seen));
+        let (Some((outline, seen)), Some(cutter)) = (seen, cutter) else {
+            self.diagnostics.push(unsuitable(OperationKind::Drill, station, &self.machine.name));
+            return;
+        };
+        if let Some(tip) = self.tip(bore, &seen).filter(|&tip| self.is_solid(bore, tip)) {
+            self.drill_to(bore, &cutter, radius(&outline.insert), tip);
         }
     }
 
@@ -74,6 +75,14 @@ impl Order<'_> {
         path.rapid(start);
         self.add(OperationKind::Drill, cutter, path);
     }
+}
+
+/// The stations of all drills, the widest first.
+pub(super) fn drills(task: &Task<'_>) -> Vec<u32> {
+    let of_drills = task.tools.iter().filter(|(_, outline)| outline.kind == ToolKind::Drill);
+    let mut drills: Vec<(u32, f64)> = of_drills.map(|(&station, outline)| (station, radius(&outline.insert))).collect();
+    drills.sort_by(|a, b| b.1.total_cmp(&a.1));
+    drills.into_iter().map(|(station, _)| station).collect()
 }
 
 /// Radius of a drill, mm.

@@ -25,13 +25,13 @@ struct Facing {
 }
 
 impl Order<'_> {
-    /// Cuts the free end down to the part's length, if there is more material.
-    pub(super) fn face(&mut self, setup: &Setup) {
+    /// Cuts the free end down to the part's length, if there is more material, with the chosen tool or the first that can.
+    pub(super) fn face(&mut self, setup: &Setup, chosen: Option<u32>) {
         let over = self.work.end_z() - setup.length;
         if over <= FACE_WORTH_MM {
             return;
         }
-        let Some(facing) = self.facing_tool(setup) else {
+        let Some(facing) = self.facing_tool(setup, chosen) else {
             self.diagnostics.push(not_faced(setup, over, &self.machine.name));
             return;
         };
@@ -57,13 +57,19 @@ impl Order<'_> {
         self.add(OperationKind::Face, &cutter, path);
     }
 
-    /// The first tool that can go down along the finished face to the axis or the hole.
-    fn facing_tool(&self, setup: &Setup) -> Option<Facing> {
+    /// The station of the tool that faces; 0 if none can.
+    pub(super) fn facing_station(&self, setup: &Setup) -> u32 {
+        self.facing_tool(setup, None).map_or(0, |facing| facing.cutter.station)
+    }
+
+    /// The chosen tool, or the first, that can go down along the finished face to the axis or the hole.
+    fn facing_tool(&self, setup: &Setup, chosen: Option<u32>) -> Option<Facing> {
         if setup.tailstock.is_some() {
             return None;
         }
         let hole = setup.stock.bounds().map_or(0.0, |b| b.min.r);
-        self.cutters.iter().filter(|c| c.r#use == Use::Right).find_map(|cutter| {
+        let right = self.cutters.iter().filter(|c| c.r#use == Use::Right);
+        right.filter(|c| chosen.is_none_or(|station| c.station == station)).find_map(|cutter| {
             let outline = self.task.tools.get(&cutter.station).filter(|o| o.cuts_face())?;
             let left = outline.insert.bounds()?.min.z;
             let over = cutter.nose.min(AXIS_OVERSHOOT_MM);
