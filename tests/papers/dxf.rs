@@ -69,6 +69,17 @@ fn the_part_comes_back_in_its_true_size() {
 }
 
 #[test]
+fn arrow_heads_are_there_though_areas_stay_empty() {
+    let thin = segments(&drawing("KNOB", None)[0], "THIN");
+    let view = drawing("KNOB", None)[0].part.unwrap();
+    // The dimension line of the ball's diameter ends in a head at either end: three edges each, 2.5 mm long on paper.
+    let ends = thin.iter().filter(|s| (s.length() * view.scale - 2.5f64.hypot(0.5)).abs() < 1e-3);
+    let at_ball = ends
+        .filter(|s| (s.start().r.abs() - 13.0).abs() < TOLERANCE_MM || (s.end().r.abs() - 13.0).abs() < TOLERANCE_MM);
+    assert!(at_ball.count() >= 4);
+}
+
+#[test]
 fn the_axis_is_on_a_layer_of_its_own_and_the_figures_are_texts() {
     let page = &drawing("MASTER", None)[0];
     let axis = segments(page, "CENTRE");

@@ -8,7 +8,7 @@ use std::process::{Command, Stdio};
 use turnwright::papers::save;
 
 /// Dots to the inch: the smallest text is read without effort.
-const RESOLUTION: &str = "110";
+const RESOLUTION: &str = "120";
 
 #[test]
 fn the_setup_sheet_of_the_roll_is_drawn_by_another_program() {
@@ -27,7 +27,7 @@ fn the_setup_sheet_of_the_roll_is_drawn_by_another_program() {
     };
     draw(&["-gray"], &folder.path().join("sheet"));
     let picture = std::fs::read(folder.path().join("sheet.pgm")).unwrap();
-    assert!(picture.starts_with(b"P5\n910 1287\n255\n") || picture.starts_with(b"P5\n909 1286\n255\n"), "A4");
+    assert!(picture.starts_with(b"P5\n992 1403\n255\n") || picture.starts_with(b"P5\n993 1404\n255\n"), "A4");
     let dark = picture.iter().filter(|shade| **shade < 96).count() as f64 / picture.len() as f64;
     assert!((0.01..0.2).contains(&dark), "lines and texts, {dark:.3} of the page");
     if std::env::var_os("UPDATE_SCREENSHOTS").is_some_and(|v| v == "1") {

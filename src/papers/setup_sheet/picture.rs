@@ -140,7 +140,7 @@ fn draw_zero(page: &mut Page, at: Point) {
     let arc = |from: f64| Segment::Arc { start: on(from), end: on(from + 1.0), center: at, ccw: true };
     for quarter in [0.0, 2.0] {
         let sides = vec![Segment::line(at, on(quarter)), arc(quarter), Segment::line(on(quarter + 1.0), at)];
-        page.area(sides, Ink::Black, None);
+        page.area(sides, Ink::Black, Some(Pen::THIN));
     }
     page.path((0..4).map(|k| arc(f64::from(k))).collect(), Pen::THIN);
 }
