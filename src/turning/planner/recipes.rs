@@ -213,7 +213,7 @@ mod tests {
         let cut = Cut::per_minute(100.0, 1000.0);
         let line = |z, r| CutMove::Line { to: Point::new(z, r), cut };
         // A cylinder of radius 20, a chamfer of 2 mm at 45° up to radius 22, and on.
-        let shift = nose * (1.0 - (std::f64::consts::PI / 8.0).tan());
+        let shift = nose * (std::f64::consts::PI / 8.0).tan();
         let moves =
             [line(51.0, 20.0), line(10.0 - nose + shift, 20.0), line(8.0 - nose + shift, 22.0), line(0.0, 22.0)];
         let recipe = finish(Point::new(53.0, 20.0), &moves, &tool, false).unwrap();

@@ -175,9 +175,13 @@ mod tests {
     fn passes_take_equal_areas_and_end_with_a_finishing_cut() {
         let depths = depths(0.2, 0.92);
         let areas: Vec<f64> = depths.windows(2).map(|w| w[1] * w[1] - w[0] * w[0]).collect();
-        let equal = areas.len() - 2;
-        assert!(areas[..equal].iter().all(|a| (a - 0.04).abs() < 1e-9), "{depths:?}");
-        assert!(areas[equal] < 0.04 && (depths[depths.len() - 1] - 0.92).abs() < 1e-12);
+        let steps: Vec<f64> = depths.windows(2).map(|w| w[1] - w[0]).collect();
+        let (before_last, last) = (areas.len() - 2, depths.len() - 1);
+        // Equal areas until the pass would be too thin, then passes of the least depth, then what is left.
+        let full = |k: usize| (areas[k] - 0.04).abs() < 1e-9 && steps[k] >= LEAST_DEPTH_MM;
+        let least = |k: usize| (steps[k] - LEAST_DEPTH_MM).abs() < 1e-9 && areas[k] > 0.04;
+        assert!((0..before_last).all(|k| full(k) || least(k)) && full(0) && least(before_last - 1), "{depths:?}");
+        assert!(steps[before_last] <= LEAST_DEPTH_MM + 1e-9 && (depths[last] - 0.92).abs() < 1e-12);
         assert!((depths[depths.len() - 1] - depths[depths.len() - 2] - FINISH_DEPTH_MM).abs() < 1e-12);
         assert_eq!(super::depths(0.2, 0.03), [0.03]);
         assert!(super::depths(1e-9, 1.0).len() < 40, "no pass is thinner than {LEAST_DEPTH_MM} mm");
