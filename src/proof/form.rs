@@ -2,7 +2,7 @@
 
 use super::input::{MayCut, Work};
 use super::strips::Strips;
-use crate::geometry::{Bounds, Point, Segment};
+use crate::geometry::{Bounds, Point, Segment, Vector};
 use std::f64::consts::PI;
 
 /// Positions within this of the border of a region that may be cut belong to it, mm.
@@ -70,12 +70,10 @@ impl Form {
     }
 
     /// The deepest point along the borders of what was taken away.
-    pub(super) fn deepest(&self, rings: impl Iterator<Item = Vec<Point>>) -> Option<Depth> {
+    pub(super) fn deepest(&self, edges: impl Iterator<Item = (Point, Point)>) -> Option<Depth> {
         let mut deepest: Option<Depth> = None;
-        for ring in rings {
-            for (&a, &b) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-                self.deepest_on_edge(a, b, &mut deepest);
-            }
+        for (a, b) in edges {
+            self.deepest_on_edge(a, b, &mut deepest);
         }
         deepest
     }
@@ -141,17 +139,24 @@ pub(super) fn distance_to(segment: &Segment, p: Point) -> f64 {
         Segment::Line { start, end } => distance_to_line(start, end, p),
         Segment::Arc { start, end, center, ccw } => {
             let foot = p - center;
-            let turned = |v: crate::geometry::Vector| {
-                let from = start - center;
-                let angle = (from.x * v.y - from.y * v.x).atan2(from.dot(&v));
-                (if ccw { angle } else { -angle }).rem_euclid(2.0 * PI)
-            };
-            if turned(foot) <= segment.sweep().abs() {
+            if turns_through(start - center, foot, end - center, ccw) {
                 (foot.norm() - start.distance(center)).abs()
             } else {
                 p.distance(start).min(p.distance(end))
             }
         }
+    }
+}
+
+/// True if a turn from one direction to another passes a third; between equal directions there is none.
+fn turns_through(from: Vector, through: Vector, to: Vector, ccw: bool) -> bool {
+    let (from, to) = if ccw { (from, to) } else { (to, from) };
+    let left = |a: Vector, b: Vector| a.x * b.y - a.y * b.x;
+    let ahead = left(from, to);
+    if ahead > 0.0 || (ahead == 0.0 && from.dot(&to) < 0.0) {
+        left(from, through) >= 0.0 && left(through, to) >= 0.0
+    } else {
+        ahead < 0.0 && (left(to, through) <= 0.0 || left(through, from) <= 0.0)
     }
 }
 
@@ -269,11 +274,22 @@ mod tests {
     #[test]
     fn a_straight_cut_across_the_ball_is_deepest_in_the_middle() {
         let (a, b) = (Point::new(-6.0, 8.0), Point::new(6.0, 8.0));
-        let depth = ball().deepest([vec![a, b, Point::new(0.0, 11.0)]].into_iter()).unwrap();
+        let above = Point::new(0.0, 11.0);
+        let depth = ball().deepest([(a, b), (b, above), (above, a)].into_iter()).unwrap();
         assert!((depth.mm - 2.0).abs() < 1e-12 && depth.at.distance(Point::new(0.0, 8.0)) < 1e-9);
     }
 
     proptest! {
+        #[test]
+        fn an_arc_is_as_far_away_as_its_points(from in 0.0..6.2_f64, sweep in -6.2..6.2_f64, z in -9.0..9.0_f64, r in -9.0..9.0_f64) {
+            let on = |angle: f64| Point::new(3.0 * angle.cos(), 3.0 * angle.sin());
+            let center = Point::default();
+            let arc = Segment::Arc { start: on(from), end: on(from + sweep), center, ccw: sweep > 0.0 };
+            let p = Point::new(z, r);
+            let nearest = (0..=4000).map(|k| on(from + sweep * f64::from(k) / 4000.0).distance(p)).fold(f64::INFINITY, f64::min);
+            prop_assert!((distance_to(&arc, p) - nearest).abs() < 3e-3, "{} {nearest}", distance_to(&arc, p));
+        }
+
         #[test]
         fn a_point_is_inside_exactly_if_the_polygon_says_so(z in -25.0..15.0_f64, r in 0.0..12.0_f64) {
             let truth = if !(-20.0..=10.0).contains(&z) { false } else if z < -8.0 { r < 6.0 } else { z.hypot(r) < 10.0 };

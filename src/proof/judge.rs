@@ -1,6 +1,6 @@
 //! Judges what a move did to stock, part and jaws.
 
-use super::cut::grid::from_grid;
+use super::cut::grid::{edges, from_grid};
 use super::cut::{CONTACT_AREA_MM2, Contact, Cut, Cutting, Holding, Stock, StockHistory};
 use super::findings::{Breach, Findings, Place};
 use super::form::{Depth, Form};
@@ -101,8 +101,8 @@ impl<'a> Judge<'a> {
     }
 
     fn gouge(&mut self, cut: &Cut, place: Place, findings: &mut Findings) {
-        let rings = cut.taken.iter().map(|ring| ring.iter().map(|&p| from_grid(p)).collect());
-        let Some(depth) = self.form.deepest(rings) else { return };
+        let borders = cut.taken.iter().flat_map(|ring| edges(ring)).map(|(a, b)| (from_grid(a), from_grid(b)));
+        let Some(depth) = self.form.deepest(borders) else { return };
         self.deepest = self.deepest.max(depth.mm);
         let limit = self.work.form_tolerance_mm;
         if depth.mm > limit {

@@ -50,6 +50,11 @@ pub(super) struct Columns {
 }
 
 impl Columns {
+    /// No columns, with room for some of one span each.
+    pub(super) fn with_capacity(count: usize) -> Self {
+        Self { heads: Vec::with_capacity(count), spans: Vec::with_capacity(count) }
+    }
+
     /// Number of columns.
     pub(super) fn len(&self) -> usize {
         self.heads.len()

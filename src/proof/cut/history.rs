@@ -97,8 +97,9 @@ impl StockHistory {
         let mut overlap = Overlap::default();
         for pass in passes {
             if let Some(cutter) = self.cutters.get(&pass.tool) {
-                let window = cutter.insert_window.moved(&Window::around(&pass.points()));
-                stock.cut_away(&pass.covers(cutter), &window, &mut overlap);
+                let points = pass.points();
+                let window = cutter.insert_window.moved(&Window::around(&points));
+                stock.cut_away(&pass.covers(cutter, &points), &window, &mut overlap);
             }
         }
         Some(stock.state())
@@ -128,9 +129,9 @@ impl Pass {
         points
     }
 
-    /// What the insert covers on its way.
-    pub(super) fn covers(&self, cutter: &Cutter) -> Columns {
-        let Some(pitch) = self.pitch_mm else { return covered(&cutter.insert, &self.points()) };
+    /// What the insert covers on its way along `points`.
+    pub(super) fn covers(&self, cutter: &Cutter, points: &[GridPoint]) -> Columns {
+        let Some(pitch) = self.pitch_mm else { return covered(&cutter.insert, points) };
         let (near, far) = (self.path.start(), self.path.end());
         let length = near.distance(far);
         let at = |k: u32| near + (far - near) * (f64::from(k) * pitch / length.max(pitch)).min(1.0);

@@ -39,6 +39,13 @@ impl Line {
         [self.at(from), self.at(to)]
     }
 
+    /// True if over a stretch it is surely nowhere higher than another line: a test without a division, for lines whose points
+    /// lie outside the stretch.
+    pub(super) fn lies_below(&self, other: &Self, from: i32, to: i32) -> bool {
+        let spans = |line: &Self| line.a.x <= from && to <= line.b.x;
+        self.a.y.max(self.b.y) <= other.a.y.min(other.b.y) && spans(self) && spans(other)
+    }
+
     /// The longer of two carriers if they are of one line. Exact.
     pub(super) fn joined(&self, other: &Self) -> Option<Self> {
         if self == other {
@@ -64,5 +71,14 @@ mod tests {
         assert_eq!(line((300, 100), (600, 201)).joined(&long), None);
         assert!((long.at(150) - 50.0).abs() < 1e-9);
         assert_eq!(Line::through(GridPoint::new(1, 0), GridPoint::new(1, 5)), None);
+    }
+
+    #[test]
+    fn a_line_lies_below_another_only_between_its_points() {
+        let line = |a: i32, b: i32, y: i32| Line::through(GridPoint::new(a, 0), GridPoint::new(b, y)).unwrap();
+        let high = Line::through(GridPoint::new(0, 100), GridPoint::new(900, 100)).unwrap();
+        assert!(line(0, 600, 100).lies_below(&high, 0, 600) && line(0, 600, 100).lies_below(&high, 100, 500));
+        // Beyond its points it rises above.
+        assert!(!line(0, 600, 100).lies_below(&high, 0, 700) && !line(0, 600, 101).lies_below(&high, 0, 600));
     }
 }

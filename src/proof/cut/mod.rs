@@ -199,7 +199,7 @@ impl Cutting {
         if !self.stock.may_meet(&window) {
             return Vec::new();
         }
-        let taken = self.stock.cut_away(&pass.covers(cutter), &window, &mut self.overlap);
+        let taken = self.stock.cut_away(&pass.covers(cutter, points), &window, &mut self.overlap);
         if !taken.is_empty() {
             self.history.push(pass, &self.stock);
         }

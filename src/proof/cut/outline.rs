@@ -10,51 +10,61 @@ type Border = usize;
 impl Columns {
     /// The outlines of the material, slivers left out: outer ones counter-clockwise, holes clockwise.
     pub(super) fn rings(&self) -> Vec<Ring> {
-        let mut walk = Walk::over(self);
-        let mut rings = Vec::new();
-        for start in 0..walk.next.len() {
-            let ring = walk.ring(start);
-            if ring.len() > 2 && !is_sliver(&ring) {
-                rings.push(ring);
-            }
-        }
-        rings
+        Walk::default().rings(self)
     }
 }
 
 /// The borders of all spans, numbered 2k for the lower and 2k + 1 for the upper border of span k, and which follows which.
-struct Walk {
+#[derive(Debug, Default)]
+pub(super) struct Walk {
     lines: Vec<(Line, i32, i32)>,
     /// The border that follows, with itself where it was walked already.
     next: Vec<Border>,
     done: Vec<bool>,
+    ring: Ring,
 }
 
 impl Walk {
-    fn over(columns: &Columns) -> Self {
-        let mut lines = Vec::new();
-        for column in columns.iter() {
-            for span in column.spans {
-                lines.extend([(span.low, column.from, column.to), (span.high, column.from, column.to)]);
+    /// The outlines of the material, as [`Columns::rings`].
+    pub(super) fn rings(&mut self, columns: &Columns) -> Vec<Ring> {
+        self.take(columns);
+        let mut rings = Vec::new();
+        for start in 0..self.next.len() {
+            self.walk_from(start);
+            if self.ring.len() > 2 && !is_sliver(&self.ring) {
+                rings.push(self.ring.clone());
             }
         }
-        let mut walk = Self { next: vec![0; lines.len()], done: vec![false; lines.len()], lines };
+        rings
+    }
+
+    /// Takes the borders of columns and finds which follows which.
+    fn take(&mut self, columns: &Columns) {
+        self.lines.clear();
+        for column in columns.iter() {
+            for span in column.spans {
+                self.lines.extend([(span.low, column.from, column.to), (span.high, column.from, column.to)]);
+            }
+        }
+        self.next.clear();
+        self.next.resize(self.lines.len(), 0);
+        self.done.clear();
+        self.done.resize(self.lines.len(), false);
         let mut first = 0;
         let mut left: Option<(Column<'_>, Border)> = None;
         for column in columns.iter() {
             let joint = left.filter(|(before, _)| before.to == column.from);
             if let (Some(before), None) = (left, joint) {
-                walk.join(before.0.to, before.1..first, first..first);
+                self.join(before.0.to, before.1..first, first..first);
             }
             let end = first + 2 * column.spans.len();
-            walk.join(column.from, joint.map_or(first, |j| j.1)..first, first..end);
+            self.join(column.from, joint.map_or(first, |j| j.1)..first, first..end);
             left = Some((column, first));
             first = end;
         }
         if let Some((column, begin)) = left {
-            walk.join(column.to, begin..first, first..first);
+            self.join(column.to, begin..first, first..first);
         }
-        walk
     }
 
     /// Joins the borders that end and begin at a position.
@@ -84,9 +94,10 @@ impl Walk {
         }
     }
 
-    /// Walks from a border until it comes back; empty if that was walked already.
-    fn ring(&mut self, start: Border) -> Ring {
-        let mut ring = Ring::new();
+    /// Walks from a border until it comes back; the ring is empty if that was walked already.
+    fn walk_from(&mut self, start: Border) {
+        let ring = &mut self.ring;
+        ring.clear();
         let mut border = start;
         let mut goes_on = false;
         while !self.done[border] {
@@ -94,21 +105,20 @@ impl Walk {
             let (line, from, to) = self.lines[border];
             let (begin, end) = if border.is_multiple_of(2) { (from, to) } else { (to, from) };
             if !goes_on {
-                push(&mut ring, on_line(&line, begin));
+                push(ring, on_line(&line, begin));
             }
             let next = self.next[border];
             // A line that goes on has no corner at its end.
             goes_on = next % 2 == border % 2 && line.joined(&self.lines[next].0).is_some();
             if !goes_on {
-                push(&mut ring, on_line(&line, end));
+                push(ring, on_line(&line, end));
             }
             border = next;
         }
         if goes_on {
             ring.remove(0);
         }
-        close(&mut ring);
-        ring
+        close(ring);
     }
 }
 

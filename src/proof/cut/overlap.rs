@@ -1,8 +1,9 @@
 //! What two regions share, and what the one keeps without the other.
 
 use super::columns::{Column, Columns, Span};
-use super::grid::TOUCH;
+use super::grid::{Ring, TOUCH};
 use super::line::Line;
+use super::outline::Walk;
 
 /// Buffers of the comparison.
 #[derive(Debug, Default)]
@@ -15,9 +16,15 @@ pub(super) struct Overlap {
     stack: Vec<Span>,
     common: Vec<Span>,
     found: bool,
+    walk: Walk,
 }
 
 impl Overlap {
+    /// The outlines of what is shared.
+    pub(super) fn outlines(&mut self) -> Vec<Ring> {
+        self.walk.rings(&self.shared)
+    }
+
     /// Adds what `region` shares with `cut` to `shared`, and what it keeps to `left`; true if they share anything.
     pub(super) fn subtract(&mut self, region: &Columns, cut: &Columns) -> bool {
         self.found = false;
@@ -68,7 +75,10 @@ impl Overlap {
     /// Compares two columns over a stretch that both cover.
     fn stretch(&mut self, from: i32, to: i32, column: &Column<'_>, over: &Column<'_>, keep: bool) {
         let apart = |s: &Span, c: &Span| {
-            thickness(&s.low, &c.high, from, to) <= TOUCH || thickness(&c.low, &s.high, from, to) <= TOUCH
+            s.high.lies_below(&c.low, from, to)
+                || c.high.lies_below(&s.low, from, to)
+                || thickness(&s.low, &c.high, from, to) <= TOUCH
+                || thickness(&c.low, &s.high, from, to) <= TOUCH
         };
         if column.spans.iter().all(|s| over.spans.iter().all(|c| apart(s, c))) {
             return self.keep(from, to, column.spans, keep);

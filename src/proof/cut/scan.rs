@@ -17,8 +17,8 @@ impl Columns {
 
     /// The inside of a convex ring, counter-clockwise.
     fn of_convex(ring: &[GridPoint]) -> Self {
-        let mut columns = Self::default();
         let count = ring.len();
+        let mut columns = Self::with_capacity(count);
         let Some(first) = (0..count).min_by_key(|&i| ring[i].x) else { return columns };
         // The lower border runs on from the first point, the upper one back from it.
         let (mut low, mut high) = (Border { ring, at: first, step: 1 }, Border { ring, at: first, step: count - 1 });

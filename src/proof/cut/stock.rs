@@ -79,14 +79,14 @@ impl Stock {
     /// left where they are.
     pub(super) fn cut_away(&mut self, cut: &Columns, window: &Window, overlap: &mut Overlap) -> Vec<Ring> {
         overlap.shared.clear();
-        let mut changed: Vec<(usize, Columns)> = Vec::new();
+        let mut changed: Vec<(usize, Columns)> = Vec::with_capacity(2);
         for (index, chunk) in self.near(window) {
             overlap.left.clear();
             if overlap.subtract(&chunk.columns, cut) {
-                changed.push((index, std::mem::take(&mut overlap.left)));
+                changed.push((index, overlap.left.clone()));
             }
         }
-        let taken = overlap.shared.rings();
+        let taken = overlap.outlines();
         if !taken.is_empty() {
             changed.into_iter().rev().for_each(|(index, columns)| self.replace(index, columns));
         }

@@ -30,6 +30,9 @@ pub(super) fn met(region: &Stock, pieces: &[Ring], path: &[GridPoint], overlap: 
 /// the moved outline has been (Guibas, Ramshaw, Stolfi 1983). For a straight path it is the convex hull of both ends. It may
 /// cross itself, so it must be filled by the non-zero rule.
 pub(super) fn swept(outline: &[GridPoint], path: &[GridPoint]) -> Ring {
+    if let ([from, to], true) = (path, !outline.is_empty()) {
+        return swept_straight(outline, *from, *to);
+    }
     let mut there = path.to_vec();
     there.dedup();
     let Some(&first) = there.first() else { return Ring::new() };
@@ -49,6 +52,25 @@ pub(super) fn swept(outline: &[GridPoint], path: &[GridPoint]) -> Ring {
         while vertex != last {
             vertex = (vertex + if left { 1 } else { outline.len() - 1 }) % outline.len();
             ring.push(plus(corner, outline[vertex]));
+        }
+    }
+    ring
+}
+
+/// The same for one straight step: the side that looks ahead at its end, the side that looks back at its start.
+fn swept_straight(outline: &[GridPoint], from: GridPoint, to: GridPoint) -> Ring {
+    if from == to {
+        return outline.iter().map(|&p| plus(p, from)).collect();
+    }
+    let along = direction(from, to);
+    let (right, left) = (support(outline, along), support(outline, (-along.0, -along.1)));
+    let mut ring = Ring::with_capacity(outline.len() + 2);
+    for (begin, end, at) in [(right, left, to), (left, right, from)] {
+        let mut vertex = begin;
+        ring.push(plus(outline[vertex], at));
+        while vertex != end {
+            vertex = (vertex + 1) % outline.len();
+            ring.push(plus(outline[vertex], at));
         }
     }
     ring
