@@ -7,9 +7,9 @@ pub mod planner;
 pub mod published;
 mod recipe;
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Place};
 use crate::document::{Generator, TurnedPart};
-use crate::machine::{Machine, Material, ToolOutline};
+use crate::machine::{Dialect, Machine, Material, ToolOutline};
 use crate::part::Setup;
 pub use cutter_path::{Cut, CutMove, CutterPath, Feed, Operation, OperationKind, Speed};
 pub use recipe::{FinishRecipe, Recipe, RecipeKind, RoughRecipe, Side, ThreadRecipe};
@@ -34,8 +34,40 @@ pub struct Task<'a> {
 #[must_use]
 pub fn generate(task: &Task<'_>) -> (CutterPath, Vec<Diagnostic>) {
     match &task.part_mm.generator {
-        Generator::Oracap { .. } => published::generate(task.setup, task.part_mm, task.machine, task.material_mm),
+        Generator::Oracap { .. } => {
+            let (path, mut said) = published::generate(task.setup, task.part_mm, task.machine, task.material_mm);
+            said.extend(made_for_another(task.machine));
+            (path, said)
+        }
         Generator::Cycles { instructions } => cycles::generate(task, instructions),
         Generator::Planned { .. } => planner::plan(task),
+    }
+}
+
+/// What is to be said of the published ORACAP generator on a machine that it was not written for.
+fn made_for_another(machine: &Machine) -> Option<Diagnostic> {
+    let message = format!(
+        "The ORACAP generator was written for the ORAC, whose tools have small noses and stand at stations 1 to 4; it knows \
+         nothing of the tools of {}.",
+        machine.name
+    );
+    (machine.dialect != Dialect::Orac).then(|| {
+        Diagnostic::warning("generator-for-another-machine", Place::Machine { id: machine.id.clone() }, message)
+            .with_hint("Let the planner make the program: choose it under Made by.")
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::Catalog;
+
+    #[test]
+    fn oracap_on_a_machine_of_words_is_warned_of() {
+        let catalog = Catalog::shipped();
+        let said = |id: &str| made_for_another(catalog.machine(id).unwrap());
+        assert_eq!(said("orac"), None);
+        let warning = said("linuxcnc").unwrap();
+        assert!(warning.message.contains("LinuxCNC") && warning.hint.is_some(), "{warning:?}");
     }
 }
