@@ -22,7 +22,7 @@ pub fn dxf(page: &Page) -> Result<String, Diagnostic> {
     // The oldest version whose header names the unit.
     drawing.header.version = AcadVersion::R2000;
     drawing.header.default_drawing_units = Units::Millimeters;
-    for (name, color) in [("EDGES", 7), ("CENTRE", 1), ("THIN", 8), ("TEXT", 5)] {
+    for (name, color) in [("EDGES", 7), ("CENTRE", 1), ("THIN", 8), ("TEXT", 7)] {
         drawing.add_layer(Layer { name: name.to_owned(), color: Color::from_index(color), ..Layer::default() });
     }
     let on_paper = View { origin: Point::new(0.0, 0.0), scale: 1.0 };
@@ -77,7 +77,7 @@ fn text(item: &Item, view: &View) -> EntityType {
         location: point(*at, view),
         second_alignment_point: point(*at, view),
         text_height: *height_mm / view.scale,
-        value: text.replace('Ø', "%%c").replace('°', "%%d"),
+        value: in_words_of_the_format(text),
         rotation: if *upright { 90.0 } else { 0.0 },
         horizontal_text_justification: match align {
             Align::Start => HorizontalTextJustification::Left,
@@ -86,6 +86,16 @@ fn text(item: &Item, view: &View) -> EntityType {
         },
         ..Text::default()
     })
+}
+
+/// Signs that the format has codes for, and the nearest plain one for those that old readers do not know.
+fn in_words_of_the_format(text: &str) -> String {
+    text.replace('Ø', "%%c")
+        .replace('°', "%%d")
+        .replace('±', "%%p")
+        .replace('×', "x")
+        .replace('²', "2")
+        .replace('…', "...")
 }
 
 fn add(drawing: &mut Drawing, layer: &str, specific: EntityType) {
@@ -104,7 +114,7 @@ mod tests {
         let mut page = Page::new(100.0, 100.0, "");
         let quarter = Segment::Arc { start: p(20.0, 10.0), end: p(10.0, 20.0), center: p(10.0, 10.0), ccw: true };
         page.path(vec![Segment::line(p(0.0, 10.0), p(20.0, 10.0)), quarter], Pen::EDGE);
-        page.text(p(5.0, 5.0), 3.0, Align::Middle, "Ø 20");
+        page.text(p(5.0, 5.0), 3.0, Align::Middle, "Ø 20 ± 0.1, 2 × 45°");
         let file = dxf(&page).unwrap();
         let drawing = Drawing::load(&mut file.as_bytes()).unwrap();
         let entities: Vec<&Entity> = drawing.entities().collect();
@@ -112,6 +122,6 @@ mod tests {
         let EntityType::Arc(arc) = &entities[1].specific else { panic!("an arc") };
         assert!((arc.radius - 10.0).abs() < 1e-9 && (arc.end_angle - 90.0).abs() < 1e-9);
         let EntityType::Text(text) = &entities[2].specific else { panic!("a text") };
-        assert_eq!(text.value, "%%c 20");
+        assert_eq!(text.value, "%%c 20 %%p 0.1, 2 x 45%%d");
     }
 }

@@ -76,7 +76,7 @@ fn draw(out: &mut String, path: &Contour) {
 }
 
 fn label(out: &mut String, at: Point, height_mm: f64, align: Align, upright: bool, text: &str) {
-    let text: String = text.chars().map(plain).filter(|c| !c.is_control()).collect();
+    let text = plain(text);
     let length = text.chars().map(|_| CHARACTER_WIDTH * height_mm).sum::<f64>();
     let back = match align {
         Align::Start => 0.0,
@@ -90,17 +90,24 @@ fn label(out: &mut String, at: Point, height_mm: f64, align: Align, upright: boo
     let _ = writeln!(out, "PU{};{direction};SI{width:.3},{height:.3};LB{text}{END_OF_LABEL}", place(start));
 }
 
-/// The nearest character of the plotter's own set.
-const fn plain(c: char) -> char {
-    match c {
-        'Ø' | '⌀' => 'D',
-        '×' => 'x',
-        '–' | '—' | '−' => '-',
-        '…' => '.',
-        '°' => 'd',
-        c if c.is_ascii() => c,
-        _ => '?',
+/// A text in the plotter's own characters, and the nearest to those that it does not have.
+fn plain(text: &str) -> String {
+    let mut plain = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            'Ø' | '⌀' | 'ø' => plain.push('D'),
+            '×' => plain.push('x'),
+            '–' | '—' | '−' => plain.push('-'),
+            '²' => plain.push('2'),
+            '…' => plain.push_str("..."),
+            '°' => plain.push_str(" deg"),
+            '±' => plain.push_str("+-"),
+            c if c.is_control() => {}
+            c if c.is_ascii() => plain.push(c),
+            _ => plain.push('?'),
+        }
     }
+    plain
 }
 
 fn place(p: Point) -> String {
@@ -122,10 +129,10 @@ mod tests {
         let mut page = Page::new(100.0, 100.0, "");
         let quarter = Segment::Arc { start: p(20.0, 10.0), end: p(10.0, 20.0), center: p(10.0, 10.0), ccw: true };
         page.path(vec![Segment::line(p(0.0, 10.0), p(20.0, 10.0)), quarter], Pen::EDGE);
-        page.text(p(5.0, 5.0), 3.0, Align::Start, "Ø 20");
+        page.text(p(5.0, 5.0), 3.0, Align::Start, "Ø 20 ± 0.1, 2 × 45°");
         let text = hpgl(&page);
         assert!(text.contains("PU0,400;PD;PA800,400;AA400,400,90.000;PA400,800;PU;"), "{text}");
-        assert!(text.contains("LBD 20\u{3}"), "{text}");
+        assert!(text.contains("LBD 20 +- 0.1, 2 x 45 deg\u{3}"), "{text}");
         assert!(text.starts_with("IN;\nSP1;") && text.ends_with("PU;SP0;\n"), "{text}");
     }
 }

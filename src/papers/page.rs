@@ -194,7 +194,7 @@ impl Page {
     /// An empty page.
     #[must_use]
     pub fn new(width_mm: f64, height_mm: f64, title: &str) -> Self {
-        Self { width_mm, height_mm, title: title.to_owned(), items: Vec::new(), part: None }
+        Self { width_mm, height_mm, title: clean(title), items: Vec::new(), part: None }
     }
 
     /// A line along `segments`.
@@ -225,19 +225,45 @@ impl Page {
 
     /// A text of any ink.
     pub(super) fn ink_text(&mut self, at: Point, height_mm: f64, align: Align, ink: Ink, text: impl Into<String>) {
-        let text = text.into();
+        let text = clean(&text.into());
         self.items.push(Item::Text { at, height_mm, align, upright: false, bold: false, ink, text });
     }
 
     /// A heading.
     pub(super) fn heading(&mut self, at: Point, height_mm: f64, text: impl Into<String>) {
-        let (ink, text) = (Ink::Black, text.into());
+        let (ink, text) = (Ink::Black, clean(&text.into()));
         self.items.push(Item::Text { at, height_mm, align: Align::Start, upright: false, bold: true, ink, text });
     }
 
     /// A text read from the right of the page.
     pub(super) fn upright_text(&mut self, at: Point, height_mm: f64, align: Align, text: impl Into<String>) {
-        let (ink, text) = (Ink::Black, text.into());
+        let (ink, text) = (Ink::Black, clean(&text.into()));
         self.items.push(Item::Text { at, height_mm, align, upright: true, bold: false, ink, text });
+    }
+}
+
+/// A text without control characters, which would end lines, labels or whole files.
+fn clean(text: &str) -> String {
+    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::papers::{dxf, hpgl, pdf, svg};
+
+    #[test]
+    fn control_characters_of_a_name_reach_no_file() {
+        let name = "A\r\n  0\nEOF\u{3}PU;<B>\u{0}";
+        let mut page = Page::new(100.0, 50.0, name);
+        page.text(Point::new(1.0, 1.0), 2.5, Align::Start, name);
+        page.heading(Point::new(1.0, 9.0), 2.5, name);
+        page.upright_text(Point::new(1.0, 19.0), 2.5, Align::End, name);
+        assert!(page.items.iter().all(|i| matches!(i, Item::Text { text, .. } if !text.contains(char::is_control))));
+        let file = dxf(&page).unwrap();
+        assert_eq!(::dxf::Drawing::load(&mut file.as_bytes()).unwrap().entities().count(), 3);
+        assert_eq!(hpgl(&page).matches('\u{3}').count(), 3);
+        assert!(!svg(&page).contains(|c: char| c.is_control() && c != '\n'));
+        assert!(pdf(&[page]).is_ok());
     }
 }

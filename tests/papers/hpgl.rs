@@ -86,8 +86,9 @@ fn compare(page: &Page) {
     let texts = texts(page);
     assert_eq!(plotted.labels.len(), texts.len());
     for (label, (text, _)) in plotted.labels.iter().zip(texts) {
-        assert_eq!(label.chars().count(), text.chars().count(), "{label} for {text}");
-        assert!(label.is_ascii());
+        let signs = [("Ø", "D"), ("×", "x"), ("°", " deg"), ("±", "+-"), ("²", "2"), ("⌀", "D"), ("…", "...")];
+        let wanted = signs.into_iter().fold(text.to_owned(), |text, (sign, plain)| text.replace(sign, plain));
+        assert_eq!(*label, wanted);
     }
 }
 
