@@ -1,6 +1,6 @@
 //! The selected operation in the inspector.
 
-use super::{OperationsView, instruction};
+use super::{OperationsView, instruction, planned};
 use crate::app::actions::Action;
 use crate::app::data::Kind;
 use crate::app::desk::Requests;
@@ -22,6 +22,10 @@ pub(crate) fn show(
 ) {
     if matches!(session.part().generator, Generator::Cycles { .. }) {
         instruction::show(ui, view, session, index);
+        ui.add_space(4.0);
+    }
+    if planned::is_planned(session) {
+        planned::show(ui, session, index);
         ui.add_space(4.0);
     }
     facts(ui, view, session, index);

@@ -33,7 +33,7 @@ pub(super) fn show(
         ui.label(theme::quiet(text, Colors::of(ui.visuals())));
         return None;
     }
-    let can_edit = matches!(session.part().generator, Generator::Cycles { .. });
+    let can_edit = matches!(session.part().generator, Generator::Cycles { .. } | Generator::Planned { .. });
     let (mut wish, mut go_to) = (None, None);
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing.y = 0.0;

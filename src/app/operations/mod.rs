@@ -6,6 +6,7 @@ mod instruction;
 mod line;
 mod list;
 mod pick;
+mod planned;
 
 use super::desk::Requests;
 use super::plots::{TimeShare, time_bar};
@@ -58,9 +59,14 @@ pub(crate) fn show(
     let dragged = title_row(ui, titled.then_some("Operations"), &remark, |ui| {
         if matches!(session.part().generator, Generator::Cycles { .. }) {
             wish = edit_links(ui, session.selection.operation);
+        } else if planned::is_planned(session) {
+            wish = planned::links(ui, session, session.selection.operation);
         }
     });
     egui::ScrollArea::vertical().id_salt("operations").auto_shrink([false, false]).show(ui, |ui| {
+        if planned::is_planned(session) {
+            planned::left_out(ui, session);
+        }
         wish = list::show(ui, view, session, requests).or(wish);
         ui.add_space(8.0);
         times(ui, &view.lines);
@@ -91,6 +97,11 @@ fn edit_links(ui: &mut Ui, selected: Option<usize>) -> Option<ListEdit> {
 }
 
 fn apply(edit: ListEdit, view: &mut OperationsView, session: &mut Session) {
+    if planned::is_planned(session) {
+        planned::apply(edit, session);
+        view.take_focus = session.selection.operation;
+        return;
+    }
     let mm = session.document().unit.in_mm();
     let mut selected = None;
     session.edit_part(&edit.label(), None, |part| selected = edit.apply(part, mm));
