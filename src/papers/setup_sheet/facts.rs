@@ -44,28 +44,29 @@ fn stock(subject: &Subject<'_>) -> String {
         hole if hole > 0.0 => format!("tube Ø {outside} / Ø {}", subject.length(hole)),
         _ => format!("bar Ø {} {}", outside, unit.symbol()),
     };
-    let facing = part.facing_allowance * unit.in_mm();
-    let facing = if facing > 0.0 {
-        format!(", {} to face off at either free end", subject.length(facing))
-    } else {
-        String::new()
-    };
-    let bounds = setup.stock.bounds();
-    let end = bounds.map_or(setup.length, |b| b.max.z);
+    let Some(bounds) = setup.stock.bounds() else { return bar };
     let length = match setup.holding {
-        Holding::BetweenCentres => format!("{} long", subject.length(end - bounds.map_or(0.0, |b| b.min.z.max(0.0)))),
-        Holding::Chuck => format!("{} out of the chuck", subject.length(end - setup.chuck_face_z)),
+        Holding::BetweenCentres => format!("{} long", subject.length(bounds.max.z - bounds.min.z)),
+        Holding::Chuck => format!("{} out of the chuck", subject.length(bounds.max.z - setup.chuck_face_z)),
     };
-    let facing = if setup.turned_round { String::new() } else { facing.replace(" at either free end", "") };
-    format!("{bar}, {length}{facing}")
+    match bounds.max.z - setup.length {
+        facing if facing > 5e-4 => format!("{bar}, {length}, {} to face off", subject.length(facing)),
+        _ => format!("{bar}, {length}"),
+    }
 }
 
 fn holding(subject: &Subject<'_>) -> String {
     let setup = &subject.item.setup;
     let holding = match setup.holding {
         Holding::Chuck => {
-            let grip = subject.machine.map_or(0.0, |m| m.chuck.grip_mm);
-            format!("chuck, {} gripped", subject.length(grip))
+            let chuck = subject.machine.map(|m| m.chuck);
+            match chuck.map(|c| if subject.part.automatic { c.automatic_grip_mm } else { c.grip_mm }) {
+                Some(grip) if subject.part.automatic => {
+                    format!("chuck, {} for grip and part handling", subject.length(grip))
+                }
+                Some(grip) => format!("chuck, {} gripped", subject.length(grip)),
+                None => "chuck".to_owned(),
+            }
         }
         Holding::BetweenCentres => "between centres".to_owned(),
     };

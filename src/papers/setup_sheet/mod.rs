@@ -99,6 +99,32 @@ mod tests {
     }
 
     #[test]
+    fn stock_holding_and_zero_are_told_with_their_figures() {
+        let catalog = Catalog::shipped();
+        let said = |text: &str| {
+            let document = Arc::new(document_from_text("part.turn", text).unwrap());
+            let derived = regenerate(&document, &catalog, &mut Cache::default(), &Cancel::default()).unwrap();
+            let pages = derived.setups.iter().map(|item| setup_sheet(&derived, item, &catalog));
+            pages.map(|pages| texts(&pages).join("\n")).collect::<Vec<_>>()
+        };
+        let housing = &said(include_str!("../../../tests/cases/parts/bearing-housing.turn"))[0];
+        for fact in
+            ["bar Ø 70 mm, 59 mm out of the chuck, 1 mm to face off", "chuck, 25 mm gripped", "finished free end"]
+        {
+            assert!(housing.contains(fact), "{fact} in {housing}");
+        }
+        let roll = &said(include_str!("../../../assets/examples/roll-top.turn"))[0];
+        for fact in
+            ["bar Ø 160 mm, 159.303 mm long", "between centres", "finished clamped end", "0.25 mm/rev, 200 m/min"]
+        {
+            assert!(roll.contains(fact), "{fact} in {roll}");
+        }
+        let spigot = said(include_str!("../../../assets/examples/spigot.turn"));
+        assert!(spigot[0].contains("free end first") && spigot[1].contains("second end, turned round"));
+        assert!(spigot[0].contains("Ø 1.25 in"), "lengths in the document's unit");
+    }
+
+    #[test]
     fn times_are_minutes_and_seconds() {
         assert_eq!([minutes(0.4), minutes(59.6), minutes(3600.0)], ["0:00 min", "1:00 min", "60:00 min"]);
     }
