@@ -87,9 +87,12 @@ impl Chain {
         let Some(under) = self.pieces.get(from..to) else { return };
         let (Some(a), Some(b)) = (under.first(), under.last()) else { return };
         let (z0, z1) = (a.z0, b.z1);
-        let mut left = Self { pieces: under.to_vec() }.min(lower).clipped(z0, z1);
-        left.pieces.retain(|p| p.highest() > 0.0);
+        let left = Self { pieces: under.to_vec() }.min(lower).clipped(z0, z1);
         self.pieces.splice(from..to, left.pieces);
+        // What is cut off at the end is gone.
+        while self.pieces.last().is_some_and(|p| p.highest() <= 0.0) {
+            self.pieces.pop();
+        }
     }
 
     /// Takes away what lies between `low` and `high` where that reaches the top; gives the stretches where it does not, and

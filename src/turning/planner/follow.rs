@@ -5,7 +5,7 @@ use super::link::{self, CLEARANCE_MM, go};
 use super::path::Path;
 use super::piece::{Piece, SAME_MM};
 use super::tool::Cutter;
-use super::trace::{ArcRules, trace};
+use super::trace::{ArcRules, simplified, trace};
 use super::work::{AIR_MM, Limit, Work};
 use crate::geometry::{Point, Segment};
 
@@ -49,7 +49,8 @@ impl Follow<'_> {
         let follow = Follow { limit: &limit, ..*self };
         for run in follow.runs(&path.work) {
             let rolled = self.cutter.nose + self.allowance;
-            follow.pass(path, trace(&limit.chain, run.z0, run.z1, rolled, self.rules));
+            let way = trace(&limit.chain, run.z0, run.z1, rolled, self.rules);
+            follow.pass(path, if self.allowance > 0.0 { simplified(&way, self.allowance) } else { way });
         }
     }
 
@@ -118,6 +119,9 @@ impl Follow<'_> {
             return;
         };
         let start = self.lead_in(first, path);
+        if path.blocked(&[Segment::line(start, first.start())]).is_some() {
+            return;
+        }
         go(path, start);
         path.line(first.start());
         for segment in way {

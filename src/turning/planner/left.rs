@@ -33,8 +33,9 @@ pub(super) fn measure(work: &Work, contour: &PartContour) -> Vec<Left> {
         let first = segments.partition_point(|s| s.end().z < run.z0 - SAME_MM);
         let here = segments.iter().zip(ids).skip(first).take_while(|(s, _)| s.start().z <= run.z1 + SAME_MM);
         for (segment, &section) in here {
-            for at in (0..=PLACES).map(|k| segment.point_at(f64::from(k) / f64::from(PLACES))) {
-                // A face stands at the end of the run, up to rounding.
+            let places = (0..=PLACES).map(|k| segment.point_at(f64::from(k) / f64::from(PLACES)));
+            // A face stands at the end of the run, up to rounding.
+            for at in places.filter(|p| p.z >= run.z0 - SAME_MM && p.z <= run.z1 + SAME_MM) {
                 let height = height_over(&stock, Point::new(at.z.clamp(run.z0, run.z1), at.r));
                 let row = rows.entry(section).or_insert(Left { section, height, at });
                 if height > row.height {

@@ -22,6 +22,12 @@ const BESIDE_MM: f64 = 0.003;
 /// Where a way begins the tool may still touch what it cut; from here on it keeps its distance, mm.
 const LEAVING_MM: f64 = 0.3;
 
+/// A rising way rises by so much more than a control's limit of tapers asks: its ends are rounded.
+const TAPER_KEPT: f64 = 1.02;
+
+/// Ways that leave an axis by less than this are parallel to it, mm: below half of a control's smallest step.
+const AXIS_PARALLEL_MM: f64 = 0.0004;
+
 /// Goes to `to` through air. If there is no air it goes at the feed of cutting.
 pub(super) fn go(path: &mut Path<'_>, to: Point) {
     let from = path.at;
@@ -29,7 +35,8 @@ pub(super) fn go(path: &mut Path<'_>, to: Point) {
     let lean = LEAN * (path.ceiling - from.r).max(0.0);
     let air = path.air(low - BESIDE_MM, high + lean + BESIDE_MM, from.r.min(to.r) - BESIDE_MM);
     let here = path.air_here(low - BESIDE_MM, high + lean + BESIDE_MM, from.r.min(to.r) - BESIDE_MM);
-    let Some(way) = ways(from, to, &air, lean).into_iter().find(|way| all_clear(path, way, &air, &here)) else {
+    let Some(way) = ways(from, to, &air, lean, path.taper).into_iter().find(|way| all_clear(path, way, &air, &here))
+    else {
         return over_everything(path, to, &air);
     };
     for place in way {
@@ -37,25 +44,37 @@ pub(super) fn go(path: &mut Path<'_>, to: Point) {
     }
 }
 
-/// Ways in order of blocks: straight, round one corner, over what lies between.
-fn ways(from: Point, to: Point, air: &Chain, lean: f64) -> [Vec<Point>; 7] {
+/// Ways in order of blocks: straight, round one corner, over what lies between. Where a way rises along z it rises by as much
+/// as the control's `taper` asks.
+fn ways(from: Point, to: Point, air: &Chain, lean: f64, taper: f64) -> [Vec<Point>; 7] {
     let (low, high) = (from.z.min(to.z), from.z.max(to.z));
     let over = (air.highest(low, high) + CLEARANCE_MM).max(from.r).max(to.r);
+    let rising = over.max(from.r + TAPER_KEPT * (high - low) / taper);
     let leaning = |r: f64| Point::new(from.z + (LEAN * (r - from.r)).clamp(0.0, lean), r);
     [
         vec![to],
         vec![leaning(to.r), to],
         vec![Point::new(to.z, from.r), to],
-        vec![Point::new(to.z, over), to],
+        vec![Point::new(to.z, rising), to],
         vec![leaning(over), Point::new(to.z, over), to],
         vec![Point::new(from.z, to.r), to],
         vec![Point::new(from.z, over), Point::new(to.z, over), to],
     ]
 }
 
+/// True if a control with this limit of tapers can go straight between two points.
+fn can_go(from: Point, to: Point, taper: f64) -> bool {
+    let (dz, dr) = ((to.z - from.z).abs(), (to.r - from.r).abs());
+    let least = dz.min(dr);
+    least <= AXIS_PARALLEL_MM || dz.max(dr) < least * taper
+}
+
 fn all_clear(path: &Path<'_>, way: &[Point], air: &Chain, here: &Chain) -> bool {
     let corners: Vec<Point> = std::iter::once(path.at).chain(way.iter().copied()).collect();
     corners.windows(2).enumerate().all(|(k, w)| {
+        if !can_go(w[0], w[1], path.taper) {
+            return false;
+        }
         if k == 0 { leaves(path, w[1], here) } else { is_free(w[0], w[1], air) && is_apart(w[0], w[1], air, false) }
     })
 }

@@ -157,7 +157,7 @@ impl<'a> Order<'a> {
     /// The moves of an operation that begins where its tool is changed.
     fn path<'c>(&self, conditions: &'c Conditions, cutter: &'c Cutter) -> Path<'c> {
         let home = self.change(cutter.station).unwrap_or(self.datum);
-        Path::new(conditions, cutter, &self.work, home, self.datum.r)
+        Path::new(conditions, cutter, &self.work, home, self.datum.r, self.machine.limits.taper_ratio)
     }
 
     /// Strokes, then once along what they leave where it is rough.
@@ -171,8 +171,10 @@ impl<'a> Order<'a> {
             if self.machine.limits.blocks_per_program < SCARCE_BLOCKS { CLEANED_SHARE_SPARING } else { CLEANED_SHARE };
         let depth = conditions.depth.min(cutter.reach - EDGE_KEPT_MM);
         let worth = share * depth;
+        // Another tool of a hand is taken only for what is too thick to be finished.
+        let least = if self.operations.iter().any(|o| o.kind == kind) { depth } else { worth };
         let touch = cutter.insert.over(&work.stock).clipped(limit.z0, limit.z1);
-        if depth <= 0.0 || touch.runs_over(&limit.chain, worth).is_empty() {
+        if depth <= 0.0 || touch.runs_over(&limit.chain, least).is_empty() {
             return;
         }
         let rolled = cutter.nose + conditions.allowance;

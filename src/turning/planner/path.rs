@@ -29,6 +29,8 @@ pub(super) struct Path<'a> {
     pub(super) work: Work,
     /// A height at which tools pass the work, mm.
     pub(super) ceiling: f64,
+    /// Largest ratio of the two parts of a slanting move.
+    pub(super) taper: f64,
     /// Where the programmed point is.
     pub(super) at: Point,
     moves: Vec<CutMove>,
@@ -51,10 +53,18 @@ pub(super) struct Blocked {
 
 impl<'a> Path<'a> {
     /// No moves yet; the tool is at `home`, where it is changed.
-    pub(super) fn new(conditions: &'a Conditions, cutter: &'a Cutter, work: &Work, home: Point, ceiling: f64) -> Self {
+    pub(super) fn new(
+        conditions: &'a Conditions,
+        cutter: &'a Cutter,
+        work: &Work,
+        home: Point,
+        ceiling: f64,
+        taper: f64,
+    ) -> Self {
         let home = if cutter.turned { home.mirrored_at_z(0.0) } else { home };
         let work = work.seen_by(cutter);
-        Self { conditions, cutter, work, ceiling, at: home, moves: Vec::new(), last: None, home, homes: Vec::new() }
+        let (moves, homes) = (Vec::new(), Vec::new());
+        Self { conditions, cutter, work, ceiling, taper, at: home, moves, last: None, home, homes }
     }
 
     /// The same tool as seen from the other end.
@@ -220,8 +230,13 @@ impl<'a> Path<'a> {
         if near.peek().is_none() {
             return false;
         }
-        let covered = covered_along(&self.cutter.whole, &Segment::line(self.at, to));
-        near.any(|p| !covered.clipped(p.z0, p.z1).runs_over(&Chain { pieces: vec![*p] }, TOUCH_MM).is_empty())
+        let way = Segment::line(self.at, to);
+        let (high, low) = (covered_along(&self.cutter.whole, &way), left_along(&self.cutter.below, &way));
+        near.any(|hanging| {
+            let over = high.clipped(hanging.z0, hanging.z1).runs_over(&Chain { pieces: vec![*hanging] }, TOUCH_MM);
+            let cover = |run: &Run| self.work.cover.clipped(run.z0, run.z1);
+            over.iter().any(|run| !cover(run).runs_over(&low.clipped(run.z0, run.z1), TOUCH_MM).is_empty())
+        })
     }
 
     /// The first place of a way where holder or a side that cannot cut runs into stock.

@@ -8,9 +8,9 @@ use super::chain::{Chain, Run};
 use super::link::{CLEARANCE_MM, go};
 use super::path::Path;
 use super::piece::{Form, Piece, SAME_MM};
-use super::trace::{ArcRules, trace};
+use super::trace::{ArcRules, simplified, trace};
 use super::work::{AIR_MM, Limit};
-use crate::geometry::{Point, Segment};
+use crate::geometry::{Point, Segment, Vector};
 
 /// Strokes shorter than this are left to the pass along the contour, mm.
 const SHORTEST_STROKE_MM: f64 = 0.1;
@@ -21,6 +21,9 @@ const LOWEST_STOCK_MM: f64 = 0.05;
 /// Strokes of one level that are closer than this are made in one, mm.
 const JOINED_MM: f64 = 1.0;
 
+/// A way down that is steeper than this goes straight down.
+const STEEPEST: f64 = 10.0;
+
 /// Moves of one stroke with the ways to it and home, at most; a ramp with more is rare and only lengthens its program.
 const MOST_MOVES_OF_A_STROKE: usize = 9;
 
@@ -29,6 +32,9 @@ const MOST_LEVELS: u32 = 100_000;
 
 /// How often a stroke is shortened before it is given up.
 const MOST_TRIES: u32 = 8;
+
+/// How much further on a stroke begins that cannot be entered where it should, mm.
+const SHIFTS_MM: [f64; 6] = [0.0, 0.5, 1.0, 2.0, 4.0, 8.0];
 
 /// Distance that a shortened stroke keeps from what is in its way, mm.
 const SHORTENED_MM: f64 = 0.01;
@@ -43,6 +49,19 @@ struct Stroke {
     start: Point,
     /// Down along the limit, or nothing.
     ramp: Vec<Segment>,
+}
+
+impl Stroke {
+    /// The same begun `by` mm further on, where that leaves anything of it: next to something in the way.
+    fn shifted(&self, by: f64) -> Option<Self> {
+        let on = Vector::new(-by, 0.0);
+        (by == 0.0 || self.b - by > self.a + by).then(|| Self {
+            b: self.b - by,
+            start: self.start + on,
+            ramp: self.ramp.iter().map(|s| s.translated(on)).collect(),
+            ..*self
+        })
+    }
 }
 
 /// What roughing needs to know.
@@ -92,12 +111,20 @@ impl Rough<'_> {
         let mut blocked = Vec::new();
         for full in wanted(&path.touch(run.z0, run.z1, r), r).into_iter().rev() {
             let stroke = self.stroke(parent, run, full, r);
-            let cut_to = Self::shortened(path, &stroke);
-            if let Some(a) = cut_to.filter(|a| stroke.b - a >= SHORTEST_STROKE_MM.min(stroke.b - stroke.a)) {
-                self.make(path, &Stroke { a, ..stroke });
+            let entries = SHIFTS_MM.into_iter().filter_map(|by| stroke.shifted(by));
+            let found = entries.map(|s| (Self::shortened(path, &s), s)).find(|(a, _)| a.is_some());
+            let Some((Some(a), entered)) = found else {
+                blocked.push(Run { z0: full.z0, z1: full.z1 });
+                continue;
+            };
+            if entered.b < stroke.b {
+                blocked.push(Run { z0: entered.b, z1: run.z1 });
             }
-            if cut_to != Some(full.z0) {
-                blocked.push(Run { z0: full.z0, z1: cut_to.unwrap_or(full.z1) });
+            if a > full.z0 {
+                blocked.push(Run { z0: full.z0, z1: a });
+            }
+            if entered.b - a >= SHORTEST_STROKE_MM.min(stroke.b - stroke.a) {
+                self.make(path, &Stroke { a, ..entered });
             }
         }
         blocked
@@ -112,7 +139,12 @@ impl Rough<'_> {
         }
         let above = r + self.depth;
         let (top, ramp) = self.ramp(parent, run.z1, above);
-        Stroke { r, a: full.z0, b: run.z1, start: Point::new(top, above + CLEARANCE_MM), ramp }
+        let ramp = simplified(&ramp, self.depth);
+        let start = Point::new(top, above + CLEARANCE_MM);
+        if (top - run.z1) * STEEPEST <= self.depth {
+            return Stroke { r, a: full.z0, b: run.z1, start: Point::new(run.z1, start.r), ramp: Vec::new() };
+        }
+        Stroke { r, a: full.z0, b: run.z1, start, ramp }
     }
 
     /// How far a stroke can go before something is in its way; `None` if it cannot be entered.

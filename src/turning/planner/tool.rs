@@ -48,6 +48,8 @@ pub(super) struct Cutter {
     pub(super) top: Shape,
     /// The upper side of insert and holder.
     pub(super) whole: Shape,
+    /// The lower side of insert and holder, with the radius turned over.
+    pub(super) below: Shape,
     /// The edges that cut with their radius turned over.
     pub(super) cutting: Shape,
     /// Holder and edges that cannot cut turned over, with the distance that they keep.
@@ -71,9 +73,12 @@ pub(super) const HOLDER_CLEARANCE_MM: f64 = 0.1;
 /// Distance that an edge that cannot cut keeps from the work, mm: inserts are made to hundredths.
 const BACK_CLEARANCE_MM: f64 = 0.01;
 
-/// An edge that cannot cut counts from this distance behind the one that cuts, mm: there it has fallen back by the distance
-/// that it keeps, even if it leans by 2 degrees only.
+/// An edge that cannot cut counts from where it has fallen back behind the one that cuts by the distance that it keeps; this is
+/// the longest way to there, mm, that of an edge which leans by 2 degrees only.
 const BEHIND_EDGE_MM: f64 = 0.3;
+
+/// How much further than just behind a cutting edge it is: the end of that edge cuts, too.
+const WELL_BEHIND: f64 = 5.0;
 
 /// Edges that rise less than this over their length lie level, mm.
 const LEVEL_MM: f64 = 1e-6;
@@ -92,7 +97,7 @@ impl Cutter {
             ToolKind::Boring | ToolKind::BoreGrooving | ToolKind::BoreThreading | ToolKind::Drill => return None,
         };
         let insert = Shape::of([&outline.insert], Turn::Both);
-        let back = Shape::grown(&behind(&edges(outline, false)), Turn::Both, BACK_CLEARANCE_MM);
+        let back = Shape::grown(&behind(outline), Turn::Both, BACK_CLEARANCE_MM);
         let guard = Shape::grown(&outline.holder, Turn::Both, HOLDER_CLEARANCE_MM).and(back);
         let ahead = guard::ahead(outline);
         let cutting = edges(outline, true);
@@ -110,6 +115,7 @@ impl Cutter {
             edge: Shape::of([&outline.insert], Turn::Radius),
             top: Shape::of([&outline.insert], Turn::None),
             whole: Shape::of([&outline.insert, &outline.holder], Turn::None),
+            below: Shape::of([&outline.insert, &outline.holder], Turn::Radius),
             cutting: Shape::of([&cutting], Turn::Radius),
             guard_low: -guard.top(f64::NEG_INFINITY),
             ahead_low: -ahead.top(f64::NEG_INFINITY),
@@ -155,18 +161,26 @@ fn turned_round(contour: &Contour) -> Contour {
     Contour::new(contour.segments.iter().rev().map(|s| s.mirrored_at_z(0.0).reversed()).collect())
 }
 
-/// Edges in a row without their first and last bit.
-fn behind(back: &Contour) -> Contour {
-    let last = back.segments.len().saturating_sub(1);
-    let inner = back.segments.iter().enumerate().map(|(k, s)| {
-        let share = BEHIND_EDGE_MM / s.length();
-        let ends = (if k == 0 { share } else { 0.0 }, if k == last { 1.0 - share } else { 1.0 });
+/// The edges that cannot cut, from where they have fallen back behind those that cut.
+fn behind(outline: &ToolOutline) -> Contour {
+    let segments = &outline.insert.segments;
+    let count = segments.len().max(1);
+    let cuts = |k: usize| outline.cutting.get(k % count).copied().unwrap_or(false);
+    let at = |k: usize| segments.get(k % count);
+    let fallen = |a: &Segment, b: &Segment| {
+        let turn = a.direction_at(1.0).perp(&b.direction_at(0.0)).abs();
+        (WELL_BEHIND * BACK_CLEARANCE_MM / turn).min(BEHIND_EDGE_MM)
+    };
+    let back = segments.iter().enumerate().filter(|&(k, _)| !cuts(k)).map(|(k, s)| {
+        let before = at(k + count - 1).filter(|_| cuts(k + count - 1)).map_or(0.0, |a| fallen(a, s));
+        let after = at(k + 1).filter(|_| cuts(k + 1)).map_or(0.0, |b| fallen(s, b));
+        let (from, to) = (before / s.length(), 1.0 - after / s.length());
         match *s {
-            Segment::Line { .. } if ends.0 < ends.1 => Segment::line(s.point_at(ends.0), s.point_at(ends.1)),
+            Segment::Line { .. } if from < to => Segment::line(s.point_at(from), s.point_at(to)),
             _ => *s,
         }
     });
-    Contour::new(inner.collect())
+    Contour::new(back.collect())
 }
 
 /// The edges of the insert that cut, or those that cannot.

@@ -2,7 +2,7 @@
 
 use super::chain::Chain;
 use super::corner::{sharpened, starting_at};
-use super::piece::SAME_MM;
+use super::piece::{Piece, SAME_MM};
 use crate::geometry::{Point, Segment, Vector};
 use crate::machine::Limits;
 
@@ -14,6 +14,9 @@ const FLATTENED_MM: f64 = 0.004;
 
 /// Largest turn over which a corner stays a corner; a sharper one gets more than one line.
 const LARGEST_TURN: f64 = 1.8;
+
+/// Segments that one line takes the place of, at most: what is looked at stays short.
+const MOST_PASSED: usize = 40;
 
 /// What a control asks of arcs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,6 +45,32 @@ pub(super) fn trace(limit: &Chain, z0: f64, z1: f64, rolled: f64, rules: ArcRule
     }
     let path = joined(&sharpened(&joined(&path), rolled));
     joined(&path.iter().flat_map(|s| allowed(s, rolled, rules)).collect::<Vec<_>>())
+}
+
+/// The path with fewer segments: lines on or above it that leave it by no more than `by` mm take the place of what they pass.
+pub(super) fn simplified(path: &[Segment], by: f64) -> Vec<Segment> {
+    let mut out: Vec<Segment> = Vec::new();
+    let mut rest = path;
+    while let Some(first) = rest.first() {
+        let passed = (2..=rest.len().min(MOST_PASSED)).rev().find(|&n| rest.get(..n).is_some_and(|w| spans(w, by)));
+        let single = |s: &Segment| matches!(s, Segment::Arc { .. }) && spans(&[*s], by);
+        let count = passed.unwrap_or(1);
+        match rest.get(count - 1) {
+            Some(last) if passed.is_some() || single(first) => out.push(Segment::line(first.start(), last.end())),
+            _ => out.push(*first),
+        }
+        rest = rest.get(count..).unwrap_or_default();
+    }
+    joined(&out)
+}
+
+/// True if the straight way over a part of a path lies on or above it, by no more than `by` mm.
+fn spans(part: &[Segment], by: f64) -> bool {
+    let (Some(first), Some(last)) = (part.first(), part.last()) else { return false };
+    let Some(line) = Piece::of(&Segment::line(first.start(), last.end())) else { return false };
+    let way = Chain { pieces: part.iter().rev().filter_map(Piece::of).collect() };
+    let line = Chain { pieces: vec![line] };
+    way.runs_over(&line, SAME_MM.sqrt()).is_empty() && line.runs_over(&way, by).is_empty()
 }
 
 /// Adds a segment, with a vertical line where it does not begin at the end.
@@ -142,4 +171,21 @@ pub(super) fn one_direction(a: Point, b: Point, c: Point) -> bool {
     const STRAIGHT_MM: f64 = 1e-6;
     let (first, whole): (Vector, Vector) = (b - a, c - a);
     first.dot(&(c - b)) > 0.0 && first.perp(&whole).abs() <= STRAIGHT_MM * whole.norm()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_take_the_place_of_hollows_but_not_of_crests() {
+        let p = Point::new;
+        let hollow = [Segment::line(p(3.0, 2.0), p(2.0, 1.0)), Segment::line(p(2.0, 1.0), p(0.0, 0.0))];
+        assert_eq!(simplified(&hollow, 1.0), [Segment::line(p(3.0, 2.0), p(0.0, 0.0))]);
+        assert_eq!(simplified(&hollow, 0.1).len(), 2, "the line leaves the path by 0.33 mm");
+        let crest = [Segment::line(p(3.0, 0.0), p(2.0, 2.0)), Segment::line(p(2.0, 2.0), p(0.0, 0.0))];
+        assert_eq!(simplified(&crest, 9.0).len(), 2);
+        let wall = [Segment::line(p(3.0, 0.0), p(2.0, 0.0)), Segment::line(p(2.0, 0.0), p(2.0, 5.0))];
+        assert_eq!(simplified(&wall, 9.0), [Segment::line(p(3.0, 0.0), p(2.0, 5.0))]);
+    }
 }

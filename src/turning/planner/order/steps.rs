@@ -109,7 +109,10 @@ impl Order<'_> {
             // Finishing at once spares changes of tool.
             roughing.zip(finishing).flat_map(|(rough, finish)| rough.iter().chain(finish)).cloned().collect()
         } else {
-            roughing.chain(finishing).flatten().cloned().collect()
+            // The strongest tool of either hand, before others look for what is left.
+            let strongest = hands.iter().map(|(rough, _)| rough.get(..1).unwrap_or_default());
+            let others = hands.iter().map(|(rough, _)| rough.get(1..).unwrap_or_default());
+            strongest.chain(others).chain(finishing).flatten().cloned().collect()
         };
         steps.extend(hands.iter().flat_map(|(_, finish)| finish.iter().skip(1)).cloned());
         // The first finishing tool cuts all that it can, others what is worth them.
