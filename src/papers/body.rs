@@ -129,6 +129,11 @@ impl Body<'_> {
     }
 }
 
+/// The segments of the part itself, without what is cut away behind it when it is parted off.
+pub(super) fn finished(segments: &[Segment]) -> Vec<Segment> {
+    segments.iter().filter(|s| s.start().z.min(s.end().z) >= -SAME_MM).copied().collect()
+}
+
 /// The places where segments turn by more than what looks smooth.
 fn corners(segments: &[Segment]) -> Vec<Point> {
     let turns = |pair: &&[Segment]| {

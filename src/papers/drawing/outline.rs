@@ -1,6 +1,7 @@
 //! The finished outside and bore of a part as a drawing shows them.
 
 use crate::geometry::{Bounds, Contour, Point, Segment};
+use crate::papers::body::finished;
 use crate::part::{Curve, PartContour, Piece, PieceRole, Profile};
 
 /// Two places closer than this are one, mm of the part.
@@ -19,8 +20,7 @@ pub(super) struct Outline {
 impl Outline {
     /// What of a profile and its contour belongs to the finished part.
     pub(super) fn new(profile: &Profile, contour: &PartContour) -> Self {
-        let finished = |z1: f64, z2: f64| z1.min(z2) >= -SAME_MM;
-        let of_part = profile.pieces.iter().filter(|p| finished(p.start().z, p.end().z));
+        let of_part = profile.pieces.iter().filter(|p| p.start().z.min(p.end().z) >= -SAME_MM);
         let mut pieces: Vec<Piece> = Vec::new();
         for piece in of_part {
             match pieces.last_mut() {
@@ -32,8 +32,7 @@ impl Outline {
                 _ => pieces.push(*piece),
             }
         }
-        let segments = contour.contour.segments.iter().filter(|s| finished(s.start().z, s.end().z)).copied().collect();
-        Self { pieces, segments }
+        Self { pieces, segments: finished(&contour.contour.segments) }
     }
 
     /// The smallest rectangle around the outline.

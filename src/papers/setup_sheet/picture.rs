@@ -4,7 +4,7 @@ use super::Subject;
 use super::writer::{LEFT_MM, RIGHT_MM, TEXT_MM, Writer};
 use crate::geometry::{Bounds, Contour, Point, Segment, Vector};
 use crate::papers::arrow;
-use crate::papers::body::Body;
+use crate::papers::body::{Body, finished};
 use crate::papers::crop::within;
 use crate::papers::page::{Align, Ink, Page, Pen};
 use crate::papers::view::{View, mirrored};
@@ -66,7 +66,8 @@ fn shown(subject: &Subject<'_>, stock: Bounds) -> Bounds {
 }
 
 fn draw_work(subject: &Subject<'_>, page: &mut Page, view: View) {
-    let bore = subject.item.bore.as_ref().as_ref().map(|b| b.contour.segments.as_slice()).unwrap_or_default();
+    let outside = finished(&subject.item.contour.contour.segments);
+    let bore = subject.item.bore.as_ref().as_ref().map(|b| finished(&b.contour.segments)).unwrap_or_default();
     let both = |segments: &[Segment]| -> [Vec<Segment>; 2] {
         [view.segments(segments), segments.iter().map(|s| view.segment(&mirrored(s))).collect()]
     };
@@ -74,7 +75,7 @@ fn draw_work(subject: &Subject<'_>, page: &mut Page, view: View) {
         page.area(half, Ink::Sand, None);
     }
     let pen = Pen { width_mm: EDGE_MM, ..Pen::EDGE };
-    let body = Body { view, outside: &subject.item.contour.contour.segments, bore, pen };
+    let body = Body { view, outside: &outside, bore: &bore, pen };
     body.fill(page, Ink::Pale);
     if bore.is_empty() {
         body.edges(page, &[]);
