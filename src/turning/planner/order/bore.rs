@@ -159,7 +159,10 @@ impl<'a> Inside<'a> {
         let chosen = chosen(edit.as_ref());
         let station = chosen.unwrap_or(step.tool);
         let end_z = outside.work.end_z();
-        self.order.work.stock = self.order.work.stock.clipped(f64::NEG_INFINITY, end_z);
+        let work = &mut self.order.work;
+        for chain in [&mut work.stock, &mut work.cover, &mut work.under] {
+            *chain = chain.clipped(f64::NEG_INFINITY, end_z);
+        }
         self.order.edit = edit;
         match step.kind {
             OperationKind::Drill => self.order.drill(&self.bore, station),
@@ -225,7 +228,8 @@ impl<'a> Inside<'a> {
 
 impl Order<'_> {
     /// Finds how deep a bar can go into the hole as it is: with the way back from the wall that it cuts free, clear of the wall
-    /// behind it, and with its sleeve in the open. That is where machining begins for it. False if it does not come in.
+    /// behind it, its tip not beyond the axis, and with its sleeve in the open. That is where machining begins for it. False if
+    /// it does not come in.
     pub(super) fn comes_in(&mut self, bar: &Cutter, from_z: f64) -> bool {
         let (Some(outline), Side::Inside { from: axis }) = (self.task.tools.get(&bar.station), self.side) else {
             return false;
@@ -233,7 +237,8 @@ impl Order<'_> {
         let air = self.work.air(bar);
         let behind = Shape::of([&outline.insert, &outline.holder], Turn::Both).over(&self.work.stock);
         let height = |z: f64| air.highest(z, f64::INFINITY) + CLEARANCE_MM;
-        let fits = |z: f64| height(z) <= 2.0 * axis - behind.highest(z, f64::INFINITY) - BEHIND_MM;
+        let room = |z: f64| (2.0 * axis - behind.highest(z, f64::INFINITY) - BEHIND_MM).min(axis);
+        let fits = |z: f64| height(z) <= room(z);
         let end = self.work.end_z();
         let deepest = (from_z - bar.bottom.0).max(end - bar.extent.1 + SLEEVE_MM);
         let mut place = deepest;
