@@ -2,7 +2,7 @@
 
 use super::chain::Chain;
 use super::outline::one_way;
-use super::piece::SAME_MM;
+use super::piece::{Piece, SAME_MM};
 use super::shape::Shape;
 use super::tool::edges;
 use crate::geometry::{Contour, Point, Segment};
@@ -15,23 +15,22 @@ const PARTS: u32 = 16;
 /// Sides whose ends lie nearer than this in z get this width, mm: a function of z needs one.
 const LEAST_WIDTH_MM: f64 = 0.001;
 
-/// What of holder and edges that cannot cut is not behind a cutting edge, turned over: every part of a side counts with its
-/// lowest place over its whole width, so that it is never too little.
+/// What of holder and edges that cannot cut is not behind a cutting edge, turned over. A side counts from the first to the last
+/// of its parts that are not.
 pub(super) fn ahead(outline: &ToolOutline) -> Shape {
     let lead = Lead::of(outline);
     let back = edges(outline, false);
     let sides = outline.holder.segments.iter().chain(&back.segments);
-    let parts = sides.flat_map(|s| {
-        let at = |k: u32| s.point_at(f64::from(k) / f64::from(PARTS));
-        (0..PARTS).map(move |k| (at(k), at(k + 1)))
-    });
-    let open = parts.filter(|&(a, b)| !(lead.covers(a) && lead.covers(b)));
-    let boxes: Vec<Chain> = open.map(|(a, b)| turned_over(a, b)).collect();
-    Shape::of_chain(&Chain::largest(&boxes))
+    let open: Vec<Chain> = sides.flat_map(|side| lead.uncovered(side)).map(|(a, b)| turned_over(a, b)).collect();
+    Shape::of_chain(&Chain::largest(&open))
 }
 
-/// A part of a side, turned over.
+/// A part of a side, turned over; an upright one counts with its lowest place.
 fn turned_over(a: Point, b: Point) -> Chain {
+    if (a.z - b.z).abs() > LEAST_WIDTH_MM {
+        let (left, right) = if a.z > b.z { (a, b) } else { (b, a) };
+        return Chain { pieces: vec![Piece::line(Point::new(-left.z, -left.r), Point::new(-right.z, -right.r))] };
+    }
     let (z0, z1) = (a.z.min(b.z) - LEAST_WIDTH_MM, a.z.max(b.z) + LEAST_WIDTH_MM);
     Chain::level(-z1, -z0, -a.r.min(b.r))
 }
@@ -45,6 +44,22 @@ impl Lead {
     fn of(outline: &ToolOutline) -> Self {
         let upright = |s: &Segment| one_way(&quarter_turned(s)).iter().map(quarter_turned_back).collect::<Vec<_>>();
         Self { edges: edges(outline, true).segments.iter().flat_map(upright).collect() }
+    }
+
+    /// The stretches of a side that are not behind an edge; a curved one in its parts.
+    fn uncovered(&self, side: &Segment) -> Vec<(Point, Point)> {
+        let at = |k: u32| side.point_at(f64::from(k) / f64::from(PARTS));
+        let mut runs: Vec<(Point, Point)> = Vec::new();
+        for (a, b) in (0..PARTS).map(|k| (at(k), at(k + 1))) {
+            if self.covers(a) && self.covers(b) {
+                continue;
+            }
+            match runs.last_mut() {
+                Some(last) if matches!(side, Segment::Line { .. }) && last.1 == a => last.1 = b,
+                _ => runs.push((a, b)),
+            }
+        }
+        runs
     }
 
     /// True if an edge cuts on the left of a point, or at it.
@@ -98,7 +113,6 @@ pub(super) fn corner(cutting: &Contour) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::piece::Piece;
     use super::*;
     use crate::machine::Catalog;
 

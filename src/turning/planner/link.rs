@@ -34,8 +34,11 @@ pub(super) fn go(path: &mut Path<'_>, to: Point) {
     let (low, high) = (from.z.min(to.z), from.z.max(to.z));
     let lean = LEAN * (path.ceiling - from.r).max(0.0);
     let air = path.air(low - BESIDE_MM, high + lean + BESIDE_MM, from.r.min(to.r) - BESIDE_MM);
-    let here = path.air_here(low - BESIDE_MM, high + lean + BESIDE_MM, from.r.min(to.r) - BESIDE_MM);
-    let Some(way) = ways(from, to, &air, lean, path.taper).into_iter().find(|way| all_clear(path, way, &air, &here))
+    let hanging = path.has_hanging(low - BESIDE_MM, high + lean + BESIDE_MM);
+    let without =
+        hanging.then(|| path.air_here(low - BESIDE_MM, high + lean + BESIDE_MM, from.r.min(to.r) - BESIDE_MM));
+    let here = without.as_ref().unwrap_or(&air);
+    let Some(way) = ways(from, to, &air, lean, path.taper).into_iter().find(|way| all_clear(path, way, &air, here))
     else {
         return over_everything(path, to, &air);
     };

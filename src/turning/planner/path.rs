@@ -185,9 +185,10 @@ impl<'a> Path<'a> {
         if !self.conditions.knows_power() || !self.meets(segment) {
             return 0.0;
         }
-        let low = left_along(&self.cutter.edge, segment);
-        let (z0, z1) = self.window(segment.bounds().min.z, segment.bounds().max.z);
-        self.work.stock.clipped(z0, z1).area_over(&low) / segment.length().max(NO_MOVE_MM)
+        let bounds = segment.bounds();
+        let (z0, z1) = self.window(bounds.min.z, bounds.max.z);
+        let stock = higher(&self.work.stock, z0, z1, bounds.min.r + self.cutter.low);
+        stock.area_over(&left_along(&self.cutter.edge, segment)) / segment.length().max(NO_MOVE_MM)
     }
 
     /// True if there may be stock on the way along a segment.
@@ -216,7 +217,13 @@ impl<'a> Path<'a> {
         self.cutter.body.over(&solid)
     }
 
-    /// The same from where the tool is: without what hangs over it, which [`Path::hangs_over`] knows.
+    /// True if something hangs over within reach of the tool between two positions.
+    pub(super) fn has_hanging(&self, z0: f64, z1: f64) -> bool {
+        let (from, to) = self.window(z0, z1);
+        self.work.under.over(from, to).next().is_some()
+    }
+
+    /// The same as [`Path::air`] from where the tool is: without what hangs over it, which [`Path::hangs_over`] knows.
     pub(super) fn air_here(&self, z0: f64, z1: f64, above: f64) -> Chain {
         let ((from, to), above) = (self.window(z0, z1), above + self.cutter.low);
         let solid = higher(&self.work.stock, from, to, above).max(&higher(&self.work.passed, from, to, above));
