@@ -57,6 +57,9 @@ fn meeting(before: &Segment, after: &Segment, center: Point, rolled: f64, middle
         let far = p.distance(center);
         far >= rolled - SAME_MM.sqrt()
             && far <= FURTHEST_RADII * rolled
+            // An arc prolonged past its side would come back.
+            && p.z <= before.end().z + SAME_MM.sqrt()
+            && p.z >= after.start().z - SAME_MM.sqrt()
             && (*p - before.end()).dot(&out) >= -SAME_MM
             && (*p - after.start()).dot(&back) >= -SAME_MM
     };
@@ -124,6 +127,11 @@ mod tests {
         assert_eq!(into_arc.len(), 2);
         assert!((into_arc[1].start().distance(p(0.0, 7.0)) - 4.0).abs() < 1e-12);
         assert_eq!(sharpened(&square, 0.5).len(), 3, "an arc of the part stays");
+        // The foot of a hollow whose circle meets the way behind the corner beyond its own side.
+        let foot = Segment::Arc { start: p(3.0, 0.0), end: p(1.05, 1.7), center: p(3.0, 2.0), ccw: false };
+        let over = Segment::Arc { start: p(1.05, 1.7), end: p(0.2, 2.6), center: p(0.05, 1.6), ccw: true };
+        let beyond = [foot, over, Segment::line(p(0.2, 2.6), p(-5.0, 1.8))];
+        assert!(sharpened(&beyond, 1.02).windows(2).all(|w| w[1].start().z <= 1.05 + 1e-9));
         let into_hollow = [Segment::line(p(3.0, 4.0), p(1.0, 2.0)), nose, square[2]];
         assert_eq!(sharpened(&into_hollow, 1.0).len(), 3, "a line that runs into the arc from above stays");
     }
