@@ -151,7 +151,8 @@ fn lead_out(path: &mut Path<'_>, last: Option<&Segment>) {
     let Some(last) = last else { return };
     let ahead = path.at + last.direction_at(1.0) * CLEARANCE_MM;
     let here = path.air_here(path.at.z.min(ahead.z), path.at.z.max(ahead.z), path.at.r);
-    if ahead.r > path.at.r && link::leaves(path, ahead, &here) {
+    let (z0, z1) = (path.at.z.min(ahead.z), path.at.z.max(ahead.z));
+    if ahead.r > path.at.r && !path.has_hanging(z0, z1) && link::leaves(path, ahead, &here) {
         path.rapid(ahead);
     }
 }
