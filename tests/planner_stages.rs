@@ -376,3 +376,27 @@ fn random_bores_are_cut_without_gouge_or_contact() {
 fn two_thousand_random_bores_are_cut_without_gouge_or_contact() {
     (1..=10).for_each(|seed| run(200, seed));
 }
+
+#[test]
+fn examples_are_proved_when_the_control_compensates_the_nose_and_repeats_the_cuts() {
+    for example in turnwright::storage::examples() {
+        let mut document = document_from_text(example.name, example.text).unwrap();
+        let Content::TurnedPart(part) = &mut document.content;
+        if matches!(part.generator, Generator::Cycles { .. }) {
+            continue;
+        }
+        part.generator = Generator::Planned { separate_programs: false };
+        part.program =
+            ProgramChoices { canned_cycles: true, compensated_by_control: true, ..ProgramChoices::default() };
+        for machine in MACHINES {
+            let Content::TurnedPart(part) = &mut document.content;
+            machine.clone_into(&mut part.machine);
+            let document = Arc::new(document.clone());
+            let derived =
+                regenerate(&document, &Catalog::shipped(), &mut Cache::default(), &Cancel::default()).unwrap();
+            for setup in &derived.setups {
+                assert!(setup.proof.passed, "{} on {machine}: {:?}", setup.name, setup.proof.findings);
+            }
+        }
+    }
+}

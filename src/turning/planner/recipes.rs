@@ -20,6 +20,9 @@ const CORNER_MM: f64 = 1e-4;
 /// The move to the contour is at least this many nose radii long: a control goes over from point to nose on it.
 const LEAST_APPROACH: f64 = 2.1;
 
+/// Of a piece beside an inner corner the nose runs along this much at least, mm: rounded words must not turn the rest around.
+const LEAST_TOUCHED_MM: f64 = 0.01;
+
 /// Adds the recipes of all finishing passes. Where the tool comes from open air its way to the contour is made long enough.
 pub(super) fn add(task: &Task<'_>, datum: Point, operations: &mut [Operation]) {
     for operation in operations {
@@ -101,6 +104,9 @@ fn finish(before: Point, moves: &[CutMove], tool: &ToolOutline, inside: bool) ->
         contour.extend(under.map(|under| (under, cut_move)));
     }
     let contour = joined(contour)?;
+    if !fits(contour.iter().map(|(segment, _)| segment), tool.nose_radius, side) {
+        return None;
+    }
     let first = contour.first()?.0.start();
     if before.distance(first) < LEAST_APPROACH * tool.nose_radius {
         return None;
@@ -155,6 +161,33 @@ fn joined(contour: Vec<(Segment, &CutMove)>) -> Option<Vec<(Segment, &CutMove)>>
     meets.then_some(out)
 }
 
+/// True if a nose that a control puts on the contour touches every piece of it. A piece that is too short between inner corners,
+/// or an arc tighter than the nose, stops the control with an alarm.
+fn fits<'a>(contour: impl Iterator<Item = &'a Segment>, nose: f64, side: Side) -> bool {
+    let mut last: Option<Segment> = None;
+    for piece in contour {
+        let Some(mut center) = under_nose(piece, -nose, side) else { return false };
+        if let Some(before) = last.filter(|before| is_inner(before, &center, side)) {
+            let Some(meeting) = before.prolonged_meeting(&center, center.start()) else { return false };
+            let (to, from) = (between(&before, before.start(), meeting), between(&center, meeting, center.end()));
+            let touched = |is: &Segment, was: &Segment| is.length() >= LEAST_TOUCHED_MM && !is_turned(was, is);
+            if !touched(&to, &before) || !touched(&from, &center) {
+                return false;
+            }
+            center = from;
+        }
+        last = Some(center);
+    }
+    true
+}
+
+/// True if the way of the nose's centre turns towards the tool's side between two segments.
+fn is_inner(before: &Segment, after: &Segment, side: Side) -> bool {
+    let (from, to) = (before.direction_at(1.0), after.direction_at(0.0));
+    let turn = from.perp(&to);
+    if side == Side::Left { turn > SAME_MM } else { turn < -SAME_MM }
+}
+
 /// A segment on the same line or circle between other ends.
 fn between(segment: &Segment, start: Point, end: Point) -> Segment {
     match *segment {
@@ -205,6 +238,25 @@ mod tests {
     use super::*;
     use crate::machine::Catalog;
     use crate::turning::Cut;
+
+    #[test]
+    fn a_wall_that_is_lower_than_the_nose_needs_is_left_to_the_path() {
+        let contour = |wall: f64| {
+            let corners = [(50.0, 20.0), (10.0, 20.0), (10.0, 20.0 + wall), (0.0, 20.0 + wall)];
+            let corners = corners.map(|(z, r)| Point::new(z, r));
+            [0, 1, 2].map(|k| Segment::line(corners[k], corners[k + 1]))
+        };
+        assert!(fits(contour(1.0).iter(), 0.4, Side::Right));
+        assert!(!fits(contour(0.3).iter(), 0.4, Side::Right));
+        assert!(fits(contour(0.3).iter(), 0.2, Side::Right));
+        let tight = Segment::Arc {
+            start: Point::new(10.0, 20.0),
+            end: Point::new(9.7, 20.3),
+            center: Point::new(10.0, 20.3),
+            ccw: false,
+        };
+        assert!(fits([tight].iter(), 0.2, Side::Right) && !fits([tight].iter(), 0.4, Side::Right));
+    }
 
     #[test]
     fn the_contour_under_a_pass_has_the_corners_of_the_part() {
