@@ -177,6 +177,8 @@ mod tests {
 
     fn derived(document: &Arc<Document>) -> Derived {
         Derived {
+            rolls: None,
+            shell: None,
             document: Arc::clone(document),
             machine: None,
             material: None,

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use turnwright::diagnostic::{Diagnostic, Place};
 use turnwright::document::{Content, Document};
 use turnwright::machine::Catalog;
-use turnwright::storage::{document_from_text, document_to_text, examples, export, import, recovery};
+use turnwright::storage::{document_from_text, document_to_text, examples, examples_of, export, import, recovery};
 
 /// A folder with one file of every kind that holds a part, and the paths of these files.
 struct Files {
@@ -78,10 +78,10 @@ fn every_beginning_of_every_document_is_refused() {
 
 #[test]
 fn every_beginning_of_a_cad_siz_or_end_file_is_refused_or_read() {
-    for example in examples() {
+    for example in examples_of(turnwright::document::Kind::TurnedPart) {
         let document = document_from_text(example.name, example.text).unwrap();
-        let (texts, _) = export::cad(&document);
-        let Content::TurnedPart(part) = &document.content;
+        let Content::TurnedPart(part) = &document.content else { unreachable!("a turned part") };
+        let (texts, _) = export::cad(&document, part);
         for end in 0..texts.cad.len() {
             let cut = import::CadTexts { cad: texts.cad[..end].to_owned(), ..texts.clone() };
             let outcome = import::cad("cut.CAD", "cut", &cut, "orac");

@@ -37,7 +37,7 @@ impl Subject {
 fn posted(catalog: &Catalog, example: &str, planned_for: Option<&str>) -> Vec<String> {
     let example = examples().iter().find(|e| e.name == example).unwrap();
     let mut document = document_from_text(example.name, example.text).unwrap();
-    let Content::TurnedPart(part) = &mut document.content;
+    let Content::TurnedPart(part) = &mut document.content else { unreachable!("a turned part") };
     if let Some(machine) = planned_for {
         machine.clone_into(&mut part.machine);
         part.generator = Generator::Planned { separate_programs: false };

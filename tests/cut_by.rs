@@ -18,7 +18,7 @@ fn example(name: &str) -> Document {
 /// The blocks that cut each row of the first clamping, as program and block.
 fn blocks_of_rows(document: Document) -> Vec<Vec<(usize, usize)>> {
     let ids: Vec<u32> = {
-        let Content::TurnedPart(part) = &document.content;
+        let Content::TurnedPart(part) = &document.content else { unreachable!("a turned part") };
         part.sections.iter().map(|s| s.id).collect()
     };
     let document = Arc::new(document);
@@ -74,7 +74,7 @@ fn a_program_edited_by_hand_is_followed() {
     instructions.insert(3, turnwright::post::orac::Instruction::Dwel { time: 1000 });
     let text = turnwright::post::orac::pages_text(&instructions);
     let mut edited = Document::clone(&document);
-    let Content::TurnedPart(part) = &mut edited.content;
+    let Content::TurnedPart(part) = &mut edited.content else { unreachable!("a turned part") };
     part.overrides.insert(generated.name.clone(), text);
     let rows = blocks_of_rows(edited);
     assert_eq!(rows[6], [(1, 16)], "one block later than generated");

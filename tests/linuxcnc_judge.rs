@@ -18,7 +18,7 @@ use turnwright::machine::{Catalog, Machine};
 use turnwright::part::{Section, SectionKind};
 use turnwright::post::{Header, Options, post};
 use turnwright::regen::{Cache, regenerate};
-use turnwright::storage::{document_from_text, examples};
+use turnwright::storage::{document_from_text, examples_of};
 use turnwright::turning::CutterPath;
 use turnwright::units::Unit;
 use words_scan::listing::path_of_listing;
@@ -229,13 +229,13 @@ fn examples_are_accepted_and_move_as_planned_and_as_instructed() {
     if !is_installed() {
         return;
     }
-    for example in examples() {
+    for example in examples_of(turnwright::document::Kind::TurnedPart) {
         let mut document: Document = document_from_text(example.name, example.text).unwrap();
-        let Content::TurnedPart(part) = &mut document.content;
+        let Content::TurnedPart(part) = &mut document.content else { unreachable!("a turned part") };
         if matches!(part.generator, Generator::Cycles { .. }) {
             judge_document(document.clone(), "by published cycles");
         }
-        let Content::TurnedPart(part) = &mut document.content;
+        let Content::TurnedPart(part) = &mut document.content else { unreachable!("a turned part") };
         part.machine = "linuxcnc".to_owned();
         part.generator = Generator::Planned { separate_programs: false };
         judge_document(document, "planned");
@@ -245,7 +245,7 @@ fn examples_are_accepted_and_move_as_planned_and_as_instructed() {
 /// The bearing housing with threads outside and in its bore.
 fn threaded_housing(starts: u32) -> Document {
     let mut document = document_from_text("housing", include_str!("cases/parts/bearing-housing.turn")).unwrap();
-    let Content::TurnedPart(part) = &mut document.content;
+    let Content::TurnedPart(part) = &mut document.content else { unreachable!("a turned part") };
     "linuxcnc".clone_into(&mut part.machine);
     let thread = SectionKind::Thread { pitch: 1.5, starts };
     part.sections[2] = Section { kind: thread.clone(), ..Section::line(3, 18.0, 52.0, 48.0, 50.16) };
@@ -266,7 +266,7 @@ fn a_planned_part_with_compensation_and_cycles_by_the_control_is_accepted() {
         return;
     }
     let mut document = threaded_housing(1);
-    let Content::TurnedPart(part) = &mut document.content;
+    let Content::TurnedPart(part) = &mut document.content else { unreachable!("a turned part") };
     part.program.canned_cycles = true;
     part.program.compensated_by_control = true;
     let derived = regenerate(&Arc::new(document), &catalog(), &mut Cache::default(), &Cancel::default()).unwrap();

@@ -20,7 +20,7 @@ fn derived(document: Document) -> Derived {
 }
 
 fn part(document: &mut Document) -> &mut TurnedPart {
-    let Content::TurnedPart(part) = &mut document.content;
+    let Content::TurnedPart(part) = &mut document.content else { unreachable!("a turned part") };
     part
 }
 

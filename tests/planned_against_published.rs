@@ -42,7 +42,7 @@ fn example(name: &str) -> Document {
 }
 
 fn with(mut document: Document, change: impl FnOnce(&mut TurnedPart)) -> Document {
-    let Content::TurnedPart(part) = &mut document.content;
+    let Content::TurnedPart(part) = &mut document.content else { unreachable!("a turned part") };
     change(part);
     document
 }

@@ -13,7 +13,7 @@ use turnwright::machine::Catalog;
 use turnwright::part::{Section, SectionKind};
 use turnwright::proof::ProofReport;
 use turnwright::regen::{Cache, Derived, regenerate};
-use turnwright::storage::{document_from_text, examples};
+use turnwright::storage::{document_from_text, examples, examples_of};
 use turnwright::units::Unit;
 
 /// Deviation that the planned programs keep, mm: the published ones need 0.25.
@@ -25,7 +25,7 @@ fn example(name: &str) -> Document {
 }
 
 fn planned(mut document: Document) -> Document {
-    let Content::TurnedPart(part) = &mut document.content;
+    let Content::TurnedPart(part) = &mut document.content else { unreachable!("a turned part") };
     part.generator = Generator::Planned { separate_programs: false };
     part.form_tolerance = TOLERANCE_MM;
     document
@@ -68,7 +68,7 @@ fn the_planned_queen_and_master_beat_the_published_programs() {
 
 #[test]
 fn what_is_left_is_named_beforehand() {
-    for example in examples() {
+    for example in examples_of(turnwright::document::Kind::TurnedPart) {
         let derived = derived(planned(document_from_text(example.name, example.text).unwrap()));
         for setup in &derived.setups {
             for left in setup.proof.leftover.iter().filter(|l| l.largest_mm > 0.03) {
@@ -88,7 +88,7 @@ fn planned_is_proved(name: &str) {
 
 #[test]
 fn every_planned_example_passes_its_proof() {
-    for example in examples() {
+    for example in examples_of(turnwright::document::Kind::TurnedPart) {
         planned_is_proved(example.name);
     }
 }

@@ -32,7 +32,9 @@ fn derived(part: TurnedPart) -> Derived {
 
 fn housing() -> TurnedPart {
     let text = include_str!("cases/parts/bearing-housing.turn");
-    let Content::TurnedPart(part) = document_from_text("bearing-housing.turn", text).unwrap().content;
+    let Content::TurnedPart(part) = document_from_text("bearing-housing.turn", text).unwrap().content else {
+        unreachable!("a turned part")
+    };
     part
 }
 
@@ -379,9 +381,9 @@ fn two_thousand_random_bores_are_cut_without_gouge_or_contact() {
 
 #[test]
 fn examples_are_proved_when_the_control_compensates_the_nose_and_repeats_the_cuts() {
-    for example in turnwright::storage::examples() {
+    for example in turnwright::storage::examples_of(turnwright::document::Kind::TurnedPart) {
         let mut document = document_from_text(example.name, example.text).unwrap();
-        let Content::TurnedPart(part) = &mut document.content;
+        let Content::TurnedPart(part) = &mut document.content else { unreachable!("a turned part") };
         if matches!(part.generator, Generator::Cycles { .. }) {
             continue;
         }
@@ -389,7 +391,7 @@ fn examples_are_proved_when_the_control_compensates_the_nose_and_repeats_the_cut
         part.program =
             ProgramChoices { canned_cycles: true, compensated_by_control: true, ..ProgramChoices::default() };
         for machine in MACHINES {
-            let Content::TurnedPart(part) = &mut document.content;
+            let Content::TurnedPart(part) = &mut document.content else { unreachable!("a turned part") };
             machine.clone_into(&mut part.machine);
             let document = Arc::new(document.clone());
             let derived =

@@ -16,7 +16,7 @@ fn example(name: &str) -> Document {
 
 fn edited(document: &Document, edit: impl FnOnce(&mut TurnedPart)) -> Arc<Document> {
     let mut document = document.clone();
-    let Content::TurnedPart(part) = &mut document.content;
+    let Content::TurnedPart(part) = &mut document.content else { unreachable!("a turned part") };
     edit(part);
     Arc::new(document)
 }
@@ -98,7 +98,7 @@ fn a_cancelled_run_says_so_and_the_next_one_works() {
 #[test]
 fn an_inch_document_gives_the_same_part() {
     let mm = example("QUEEN");
-    let Content::TurnedPart(part) = &mm.content;
+    let Content::TurnedPart(part) = &mm.content else { unreachable!("a turned part") };
     let inch = Document {
         unit: turnwright::units::Unit::Inch,
         content: Content::TurnedPart(part.scaled(1.0 / 25.4)),

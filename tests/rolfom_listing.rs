@@ -59,7 +59,7 @@ fn document(roll: &str) -> Document {
 }
 
 fn path(roll: &str) -> CutterPath {
-    let Content::TurnedPart(part) = document(roll).content;
+    let Content::TurnedPart(part) = document(roll).content else { unreachable!("a turned part") };
     let catalog = Catalog::shipped();
     let machine = catalog.machine(&part.machine).unwrap();
     let tools = outlines(machine, &catalog);
@@ -277,7 +277,7 @@ const POSTED: [(u32, &[(char, f64)]); 2] = [(1070, &[('K', -0.003)]), (1270, &[(
 
 #[test]
 fn every_block_of_the_posted_program_is_the_published_one() {
-    let Content::TurnedPart(part) = document("T").content;
+    let Content::TurnedPart(part) = document("T").content else { unreachable!("a turned part") };
     let catalog = Catalog::shipped();
     let machine = catalog.machine(&part.machine).unwrap();
     let options = Options { program_number: part.program.number, ..Options::default() };

@@ -4,7 +4,6 @@ use super::actions::Action;
 use super::plots::thumbnail;
 use super::theme::{self, Colors};
 use super::widgets::{link, primary_button};
-use crate::document::Content;
 use crate::geometry::Contour;
 use crate::machine::Catalog;
 use crate::part;
@@ -88,7 +87,7 @@ impl StartPage {
 /// Outline of an example's finished part; none if it cannot be made.
 fn outline(example: &storage::Example, catalog: &Catalog) -> Option<Contour> {
     let document = storage::document_from_text(example.name, example.text).ok()?;
-    let Content::TurnedPart(part) = &document.content;
+    let part = document.content.turned_part()?;
     let machine = catalog.machine(&part.machine)?;
     let (setups, _) = part::setups(&part.scaled(document.unit.in_mm()), machine);
     Some(part::contour(&setups.first()?.profile, PICTURE_TOLERANCE_MM).contour)

@@ -1,7 +1,7 @@
 //! Small widgets that all panels share.
 
 use super::theme::{self, Colors};
-use crate::document::{Content, Document, TurnedPart};
+use crate::document::{Document, TurnedPart};
 use crate::session::Session;
 use crate::units::{Unit, parse_length};
 use egui::{
@@ -94,21 +94,22 @@ pub(crate) enum Typed<T> {
 impl<T> Typed<T> {
     /// Puts what is typed into the document at once; all typing until the field is left is one step of undo.
     pub(crate) fn put_into(self, session: &mut Session, label: &str, change: impl FnOnce(&mut Document, T)) {
-        match self {
-            Self::Begun => session.begin_typing(),
-            Self::Value(value) => session.type_in(label, |document| change(document, value)),
-            Self::Nothing => session.take_back_typing(),
-            Self::Left(_) => session.end_typing(),
-            Self::GivenUp => session.give_up_typing(),
-        }
+        self.put(session, |session, value| session.type_in(label, |document| change(document, value)));
     }
 
     /// Puts what is typed into the part; see [`Self::put_into`].
     pub(crate) fn put_into_part(self, session: &mut Session, label: &str, change: impl FnOnce(&mut TurnedPart, T)) {
-        self.put_into(session, label, |document, value| {
-            let Content::TurnedPart(part) = &mut document.content;
-            change(part, value);
-        });
+        self.put(session, |session, value| session.type_in_part(label, |part| change(part, value)));
+    }
+
+    fn put(self, session: &mut Session, type_in: impl FnOnce(&mut Session, T)) {
+        match self {
+            Self::Begun => session.begin_typing(),
+            Self::Value(value) => type_in(session, value),
+            Self::Nothing => session.take_back_typing(),
+            Self::Left(_) => session.end_typing(),
+            Self::GivenUp => session.give_up_typing(),
+        }
     }
 }
 

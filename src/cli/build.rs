@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use turnwright::cancel::Cancel;
 use turnwright::diagnostic::{Diagnostic, Place, Severity};
-use turnwright::document::{Content, Document};
+use turnwright::document::Document;
 use turnwright::machine::Catalog;
 use turnwright::output::{self, OutputFile};
 use turnwright::regen::{self, Cache, Derived, SetupDerived};
@@ -48,8 +48,7 @@ pub(super) fn open(file: &Path, machine_id: Option<&str>, catalog: &Catalog) -> 
     let (mut document, diagnostics) = storage::import::any(file, machine_id.unwrap_or(DEFAULT_MACHINE))?;
     complain(&diagnostics);
     if let Some(id) = machine_id {
-        let Content::TurnedPart(part) = &mut document.content;
-        id.clone_into(&mut part.machine);
+        id.clone_into(document.content.machine_mut());
     }
     Ok(Arc::new(document))
 }

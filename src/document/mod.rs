@@ -3,7 +3,9 @@
 mod cycles;
 mod operations;
 mod program;
+mod roll_set;
 mod row;
+mod shell;
 mod threading;
 
 use crate::diagnostic::SectionTable;
@@ -12,15 +14,21 @@ use crate::units::Unit;
 pub use cycles::{CutIn, Cycle, Instruction};
 pub use operations::{OperationEdit, OperationKind, OperationRef, PlanEdits};
 pub use program::ProgramChoices;
+pub use roll_set::{
+    BendAngle, Composite, CrossSection, DevelopedWidth, DriveSurface, Element, ElementKind, ExtensionContour,
+    ExtensionKind, Face, FixedComposite, FormingLine, Opening, Origin, Pinch, RollKind, RollRef, RollSet, RollWork,
+    Sharpening, SideEnd, SideRoll, Station, StripMaterial,
+};
 use row::{EndsRow, ParabolaCutRow};
 use serde::{Deserialize, Serialize};
+pub use shell::Shell;
 use std::collections::BTreeMap;
 pub use threading::{Infeed, ThreadChoices};
 
 /// Newest version of the document format that this program writes and reads.
 pub const FORMAT_VERSION: u32 = 1;
 
-/// A document: one turned part (later also a roll set or a shell).
+/// A document: a turned part, a set of form-rolls or a flow-turned shell.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Document {
@@ -41,6 +49,10 @@ pub struct Document {
 pub enum Content {
     /// A part turned from bar.
     TurnedPart(TurnedPart),
+    /// A set of form-rolls.
+    RollSet(RollSet),
+    /// A flow-turned shell.
+    Shell(Shell),
 }
 
 /// A part turned from bar, described by its section table.
@@ -160,6 +172,82 @@ pub enum ParabolaCut {
         /// Largest distance from the parabola.
         tolerance: f64,
     },
+}
+
+/// The kinds of document, by name alone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    /// A part turned from bar.
+    TurnedPart,
+    /// A set of form-rolls.
+    RollSet,
+    /// A flow-turned shell.
+    Shell,
+}
+
+impl Content {
+    /// Which kind it is.
+    #[must_use]
+    pub const fn kind(&self) -> Kind {
+        match self {
+            Self::TurnedPart(_) => Kind::TurnedPart,
+            Self::RollSet(_) => Kind::RollSet,
+            Self::Shell(_) => Kind::Shell,
+        }
+    }
+
+    /// The turned part, if it is one.
+    #[must_use]
+    pub const fn turned_part(&self) -> Option<&TurnedPart> {
+        if let Self::TurnedPart(part) = self { Some(part) } else { None }
+    }
+
+    /// The turned part, to be changed, if it is one.
+    pub const fn turned_part_mut(&mut self) -> Option<&mut TurnedPart> {
+        if let Self::TurnedPart(part) = self { Some(part) } else { None }
+    }
+
+    /// The set of form-rolls, if it is one.
+    #[must_use]
+    pub const fn roll_set(&self) -> Option<&RollSet> {
+        if let Self::RollSet(set) = self { Some(set) } else { None }
+    }
+
+    /// The flow-turned shell, if it is one.
+    #[must_use]
+    pub const fn shell(&self) -> Option<&Shell> {
+        if let Self::Shell(shell) = self { Some(shell) } else { None }
+    }
+
+    /// The same with every length multiplied by `factor`, as when the unit changes.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        match self {
+            Self::TurnedPart(part) => Self::TurnedPart(part.scaled(factor)),
+            Self::RollSet(set) => Self::RollSet(set.scaled(factor)),
+            Self::Shell(shell) => Self::Shell(shell.scaled(factor)),
+        }
+    }
+
+    /// Machine id of the lathe that everything is made on.
+    #[must_use]
+    pub fn machine(&self) -> &str {
+        match self {
+            Self::TurnedPart(part) => &part.machine,
+            Self::RollSet(set) => &set.machine,
+            Self::Shell(shell) => &shell.machine,
+        }
+    }
+
+    /// The machine id, to be changed.
+    pub const fn machine_mut(&mut self) -> &mut String {
+        match self {
+            Self::TurnedPart(part) => &mut part.machine,
+            Self::RollSet(set) => &mut set.machine,
+            Self::Shell(shell) => &mut shell.machine,
+        }
+    }
 }
 
 const fn yes() -> bool {

@@ -1,7 +1,6 @@
 //! `NAME.setup.json`: machine, stock, work holding, part zero and the tools that the programs call.
 
 use super::contour::outline;
-use crate::document::Content;
 use crate::machine::Machine;
 use crate::regen::{Derived, SetupDerived};
 use serde_json::{Value, json};
@@ -9,7 +8,7 @@ use std::collections::BTreeSet;
 
 pub(super) fn setup(derived: &Derived, item: &SetupDerived) -> Value {
     let setup = &item.setup;
-    let Content::TurnedPart(part) = &derived.document.content;
+    let part = &item.part;
     let in_mm = derived.document.unit.in_mm();
     let (hole, facing) = (part.stock_bore_diameter * in_mm, part.facing_allowance * in_mm);
     json!({

@@ -173,7 +173,7 @@ mod tests {
     #[test]
     fn shipped_examples_have_no_errors() {
         for document in fixtures::examples() {
-            let Content::TurnedPart(part) = document.content;
+            let Content::TurnedPart(part) = document.content else { unreachable!("a turned part") };
             let found = check(&part, document.unit, &fixtures::orac());
             assert!(found.iter().all(|d| d.severity != Severity::Error), "{}: {found:?}", document.name);
         }

@@ -46,6 +46,6 @@ pub(crate) fn examples() -> [Document; 5] {
 
 fn turned_part(text: &str) -> TurnedPart {
     let document: Document = serde_json::from_str(text).unwrap();
-    let Content::TurnedPart(part) = document.content;
+    let Content::TurnedPart(part) = document.content else { unreachable!("a turned part") };
     part
 }

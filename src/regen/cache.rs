@@ -1,6 +1,8 @@
 //! The stages that a document keeps between regenerations.
 
 use super::Stage;
+use super::roll_set::RollSetCache;
+use super::shell::ShellCache;
 use crate::diagnostic::Diagnostic;
 use crate::document::TurnedPart;
 use crate::machine::{Machine, Material, ToolOutline};
@@ -29,6 +31,14 @@ type PostInput = (String, Arc<CutterPath>, post::Options, post::Header, Arc<Mach
 /// What the last regeneration left behind; one a document.
 #[derive(Debug, Default)]
 pub struct Cache {
+    pub(super) part: PartCache,
+    pub(super) rolls: RollSetCache,
+    pub(super) shell: ShellCache,
+}
+
+/// The stages of a turned part.
+#[derive(Debug, Default)]
+pub(super) struct PartCache {
     pub(super) checks: Stage<(TurnedPart, Unit, Arc<Machine>), Vec<Diagnostic>>,
     pub(super) setups: Stage<SetupsInput, Said<Vec<Arc<Setup>>>>,
     pub(super) of_setup: Vec<SetupCache>,
@@ -74,10 +84,11 @@ impl Cache {
     /// How often each stage has run since the cache was made.
     #[must_use]
     pub fn runs(&self) -> StageRuns {
-        let sum = |count: fn(&SetupCache) -> u64| self.of_setup.iter().map(count).sum();
+        let parts = || std::iter::once(&self.part).chain(self.rolls.parts());
+        let sum = |count: fn(&SetupCache) -> u64| parts().flat_map(|p| &p.of_setup).map(count).sum();
         StageRuns {
-            checks: self.checks.runs(),
-            setups: self.setups.runs(),
+            checks: parts().map(|p| p.checks.runs()).sum(),
+            setups: parts().map(|p| p.setups.runs()).sum(),
             contour: sum(|s| s.contour.runs()),
             unreachable: sum(|s| s.unreachable.runs()),
             path: sum(|s| s.program.path.runs()),

@@ -1,6 +1,6 @@
 //! What lights up together: the row under the pointer with the blocks that cut it, or a block with its rows.
 
-use crate::document::{Content, Generator, TurnedPart};
+use crate::document::{Generator, TurnedPart};
 use crate::proof::{BlockRef, CutBy};
 use crate::regen::{self, Derived, Operations, SetupDerived};
 
@@ -30,17 +30,16 @@ impl Lit {
             Hovered::Section(id) => Self { sections: vec![id], blocks: cut_by.blocks_of(id).collect() },
             Hovered::Block(block) => Self { sections: cut_by.sections_of(block).collect(), blocks: vec![block] },
             Hovered::Operation(index) => {
-                let shown = derived.and_then(|d| Some((d, d.setups.get(setup)?)));
-                shown.map(|(d, s)| Self::of_operation(index, cut_by, d, s)).unwrap_or_default()
+                let shown = derived.and_then(|d| d.setups.get(setup));
+                shown.map(|s| Self::of_operation(index, cut_by, s)).unwrap_or_default()
             }
         }
     }
 
-    fn of_operation(index: usize, cut_by: &CutBy, derived: &Derived, setup: &SetupDerived) -> Self {
-        let Content::TurnedPart(part) = &derived.document.content;
+    fn of_operation(index: usize, cut_by: &CutBy, setup: &SetupDerived) -> Self {
         let operations = Operations::of(setup);
         let blocks = operations.blocks(index);
-        let mut sections = instructed_rows(part, index).unwrap_or_default();
+        let mut sections = instructed_rows(&setup.part, index).unwrap_or_default();
         if sections.is_empty() {
             sections = cut_by.sections_of_any(&blocks);
         }

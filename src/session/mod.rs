@@ -2,10 +2,11 @@
 
 mod history;
 mod light;
+mod parts;
 mod problems;
 
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::document::{Content, Document, TurnedPart};
+use crate::document::{Document, RollRef, TurnedPart};
 use crate::machine::Dialect;
 use crate::proof::{FindingKind, ProgramText, ProofReport};
 use crate::regen::{Derived, Operations, SetupDerived};
@@ -13,9 +14,10 @@ use crate::worker::{Outcome, Regenerate, Worker};
 pub use history::{GestureId, History};
 use light::Light;
 pub use light::{Hovered, Lit};
+use parts::change_part;
 use problems::Problems;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 use std::time::{Duration, Instant};
 
 /// What is selected everywhere in the window at once.
@@ -153,11 +155,19 @@ impl Session {
         &self.document
     }
 
-    /// The turned part in the document.
+    /// The turned part in the document, or the roll of a set that is shown, as a part; one without sections if there is none.
     #[must_use]
     pub fn part(&self) -> &TurnedPart {
-        let Content::TurnedPart(part) = &self.document.content;
-        part
+        static NONE: LazyLock<TurnedPart> = LazyLock::new(TurnedPart::default);
+        let shown = || self.setup().map(|setup| setup.part.as_ref());
+        self.document.content.turned_part().or_else(shown).unwrap_or(&NONE)
+    }
+
+    /// The roll of a set that is shown.
+    #[must_use]
+    pub fn roll(&self) -> Option<RollRef> {
+        let rolls = self.derived.as_ref()?.rolls.as_ref()?;
+        rolls.of_setup(self.selection.setup).map(|roll| roll.roll)
     }
 
     /// A gesture that no edit has used yet.
@@ -183,12 +193,20 @@ impl Session {
         self.changed();
     }
 
-    /// Changes the part; see [`Self::edit`].
+    /// Changes the part; see [`Self::edit`]. Of a roll, what is decided about its turning is changed; its shape is designed.
     pub fn edit_part(&mut self, label: &str, gesture: Option<GestureId>, change: impl FnOnce(&mut TurnedPart)) {
-        self.edit(label, gesture, |document| {
-            let Content::TurnedPart(part) = &mut document.content;
-            change(part);
-        });
+        let shown = self.shown_roll();
+        self.edit(label, gesture, |document| change_part(document, shown, change));
+    }
+
+    /// Types into the part; see [`Self::type_in`] and [`Self::edit_part`].
+    pub fn type_in_part(&mut self, label: &str, change: impl FnOnce(&mut TurnedPart)) {
+        let shown = self.shown_roll();
+        self.type_in(label, |document| change_part(document, shown, change));
+    }
+
+    fn shown_roll(&self) -> Option<(RollRef, TurnedPart)> {
+        Some((self.roll()?, self.part().clone()))
     }
 
     /// Begins to type a value: what is typed from here on is one step of undo.

@@ -40,8 +40,10 @@ pub(super) fn faults(document: &Document) -> Vec<Fault> {
     if let Some(message) = name_fault(&document.name) {
         add("name", message);
     }
-    let Content::TurnedPart(part) = &document.content;
-    part_faults(part, &mut faults);
+    match &document.content {
+        Content::TurnedPart(part) => part_faults(part, &mut faults),
+        Content::RollSet(_) | Content::Shell(_) => {}
+    }
     faults
 }
 

@@ -244,7 +244,7 @@ mod tests {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/versions");
         for version in 1..=FORMAT_VERSION {
             let document = open_document(&folder.join(format!("v{version}.turn"))).unwrap();
-            let Content::TurnedPart(part) = &document.content;
+            let Content::TurnedPart(part) = &document.content else { unreachable!("a turned part") };
             assert_eq!((document.turnwright, part.sections.len()), (FORMAT_VERSION, 6));
             assert_eq!(part.ends, Ends::Two { split: Some(30.5) });
             let generator = Generator::Oracap { parabolas: ParabolaCut::Arcs { tolerance: 0.01 }, optimize: false };
@@ -256,7 +256,7 @@ mod tests {
     #[test]
     fn a_bore_is_saved_one_section_a_line_and_its_rows_have_ids_of_their_own() {
         let mut document = queen();
-        let Content::TurnedPart(part) = &mut document.content;
+        let Content::TurnedPart(part) = &mut document.content else { unreachable!("a turned part") };
         part.bore = vec![Section::line(501, 0.0, 3.0, 20.0, 3.0), Section::line(502, 20.0, 4.0, 56.0, 4.0)];
         part.bore[1].kind = SectionKind::Thread { pitch: 0.5, starts: 2 };
         (part.facing_allowance, part.stock_bore_diameter, part.holding) = (1.5, 2.0, Holding::BetweenCentres);
@@ -275,7 +275,7 @@ mod tests {
     #[test]
     fn a_saved_document_has_one_section_a_line_and_opens_equal() {
         let mut document = queen();
-        let Content::TurnedPart(part) = &mut document.content;
+        let Content::TurnedPart(part) = &mut document.content else { unreachable!("a turned part") };
         part.bar_diameter = 0.1 + 0.2;
         part.length = f64::MIN_POSITIVE;
         part.sections[3].z1 = 1.0 / 3.0;
@@ -298,11 +298,15 @@ mod tests {
             |d| d.name = "../queen".to_owned(),
             |d| d.name = " ".to_owned(),
             |d| d.turnwright = 2,
-            |Document { content: Content::TurnedPart(p), .. }| p.form_tolerance = 0.0,
-            |Document { content: Content::TurnedPart(p), .. }| p.sections[2].d1 = f64::NAN,
-            |Document { content: Content::TurnedPart(p), .. }| p.sections[2].id = p.sections[1].id,
-            |Document { content: Content::TurnedPart(p), .. }| {
-                p.sections[2].kind = SectionKind::ParabolaAlongX { z3: 0.0, d3: 0.0, chords: 0 };
+            |d| d.content.turned_part_mut().unwrap().form_tolerance = 0.0,
+            |d| d.content.turned_part_mut().unwrap().sections[2].d1 = f64::NAN,
+            |d| {
+                let rows = &mut d.content.turned_part_mut().unwrap().sections;
+                rows[2].id = rows[1].id;
+            },
+            |d| {
+                d.content.turned_part_mut().unwrap().sections[2].kind =
+                    SectionKind::ParabolaAlongX { z3: 0.0, d3: 0.0, chords: 0 };
             },
         ];
         for break_it in breaks {

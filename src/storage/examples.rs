@@ -1,10 +1,14 @@
-//! Example parts that come with the program.
+//! Example documents that come with the program.
+
+use crate::document::Kind;
 
 /// A document that comes with the program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Example {
-    /// Name of the part.
+    /// Name of the document.
     pub name: &'static str,
+    /// What it describes.
+    pub kind: Kind,
     /// One line for people.
     pub description: &'static str,
     /// The document as saved, to be read by [`super::document_from_text`].
@@ -17,35 +21,46 @@ pub const fn examples() -> &'static [Example] {
     &[
         Example {
             name: "QUEEN",
+            kind: Kind::TurnedPart,
             description: "Chess queen: arcs, a neck and a crown from 26.2 mm aluminium",
             text: include_str!("../../assets/examples/queen.turn"),
         },
         Example {
             name: "MASTER",
+            kind: Kind::TurnedPart,
             description: "Test piece with every kind of section: arcs, parabola, tapers, M12 thread, ball end",
             text: include_str!("../../assets/examples/master.turn"),
         },
         Example {
             name: "KNOB",
+            kind: Kind::TurnedPart,
             description: "Ball handle knob: a ball on a neck that hollows out to a flange",
             text: include_str!("../../assets/examples/knob.turn"),
         },
         Example {
             name: "STUD",
+            kind: Kind::TurnedPart,
             description: "Shouldered stud M12 × 1.75 in steel with run-out groove and chamfer",
             text: include_str!("../../assets/examples/stud.turn"),
         },
         Example {
             name: "SPIGOT",
+            kind: Kind::TurnedPart,
             description: "Flanged spigot in inches, machined at both ends",
             text: include_str!("../../assets/examples/spigot.turn"),
         },
         Example {
             name: "1470b-2T",
+            kind: Kind::TurnedPart,
             description: "Top form-roll of 1983, turned between centres by the published cycles with four tools",
             text: include_str!("../../assets/examples/roll-top.turn"),
         },
     ]
+}
+
+/// The examples of one kind.
+pub fn examples_of(kind: Kind) -> impl Iterator<Item = &'static Example> {
+    examples().iter().filter(move |example| example.kind == kind)
 }
 
 #[cfg(test)]
@@ -60,17 +75,17 @@ mod tests {
     fn every_example_opens_and_is_written_as_it_would_be_saved() {
         for example in examples() {
             let document = document_from_text(example.name, example.text).unwrap();
-            assert_eq!(document.name, example.name);
+            assert_eq!((document.name.as_str(), document.content.kind()), (example.name, example.kind));
             assert_eq!(document_to_text(&document).unwrap(), example.text, "{}", example.name);
         }
     }
 
     #[test]
-    fn every_example_is_within_the_limits_of_its_machine_and_material_table() {
+    fn every_part_is_within_the_limits_of_its_machine_and_material_table() {
         let catalog = Catalog::shipped();
-        for example in examples() {
+        for example in examples_of(Kind::TurnedPart) {
             let document = document_from_text(example.name, example.text).unwrap();
-            let Content::TurnedPart(part) = &document.content;
+            let Content::TurnedPart(part) = &document.content else { unreachable!("a turned part") };
             let limits = catalog.machine(&part.machine).unwrap().limits;
             assert_eq!(catalog.material(&part.material, document.unit).unwrap().unit, document.unit);
             let part = part.scaled(document.unit.in_mm());

@@ -12,7 +12,7 @@ pub mod recovery;
 
 pub use crate::replace::replace_file;
 pub use document::{document_from_text, document_to_text, open_document, save_document};
-pub use examples::{Example, examples};
+pub use examples::{Example, examples, examples_of};
 pub use folders::{config_folder, data_folder};
 pub use program::{assembled, is_program, read_pages, read_program};
 

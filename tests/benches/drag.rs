@@ -23,7 +23,7 @@ fn example(name: &str) -> Document {
 }
 
 fn part_of(document: &Document) -> &TurnedPart {
-    let Content::TurnedPart(part) = &document.content;
+    let Content::TurnedPart(part) = &document.content else { unreachable!("a turned part") };
     part
 }
 
@@ -31,7 +31,7 @@ fn part_of(document: &Document) -> &TurnedPart {
 fn dragged() -> [Arc<Document>; 2] {
     [0.0, 0.1].map(|by| {
         let mut document = example("QUEEN");
-        let Content::TurnedPart(part) = &mut document.content;
+        let Content::TurnedPart(part) = &mut document.content else { unreachable!("a turned part") };
         part.sections[8].d2 += by;
         part.sections[9].d1 += by;
         Arc::new(document)

@@ -27,7 +27,7 @@ const FRAMES: u16 = 120;
 fn wavy(rows: u32) -> Document {
     let example = storage::examples().iter().find(|e| e.name == "QUEEN").expect("the example is shipped");
     let mut document = storage::document_from_text("QUEEN", example.text).expect("shipped examples can be read");
-    let Content::TurnedPart(part) = &mut document.content;
+    let Content::TurnedPart(part) = &mut document.content else { unreachable!("a turned part") };
     part.bar_diameter = 38.0;
     part.length = 80.0;
     let place = |row: u32| {

@@ -32,7 +32,7 @@ impl Subject {
         let document = Arc::new(document.clone());
         let derived =
             regen::regenerate(&document, &catalog, &mut Cache::default(), &Cancel::default()).expect("nobody cancels");
-        let Content::TurnedPart(part) = &document.content;
+        let Content::TurnedPart(part) = &document.content else { unreachable!("a turned part") };
         let item = derived.setups.first().expect("the part has a clamping");
         let machine = derived.machine.clone().expect("the machine is shipped");
         Self {
@@ -76,7 +76,7 @@ pub(crate) fn example(name: &str) -> Document {
 }
 
 pub(crate) fn planned(mut document: Document) -> Document {
-    let Content::TurnedPart(part) = &mut document.content;
+    let Content::TurnedPart(part) = &mut document.content else { unreachable!("a turned part") };
     part.generator = Generator::Planned { separate_programs: false };
     document
 }

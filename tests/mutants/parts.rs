@@ -6,7 +6,7 @@ use turnwright::geometry::{Contour, Point, Segment};
 use turnwright::machine::{Catalog, outlines};
 use turnwright::proof::{ProgramText, ProofInput, Target, Work};
 use turnwright::regen::{Cache, proof_input, regenerate};
-use turnwright::storage::{document_from_text, examples};
+use turnwright::storage::{document_from_text, examples_of};
 
 /// Deviation that the proofs of this test allow, mm: what the mutants are measured by.
 const FORM_TOLERANCE_MM: f64 = 0.01;
@@ -72,7 +72,7 @@ fn profile(text: &str) -> (Contour, Vec<u32>) {
 pub(crate) fn on_the_orac() -> Vec<Subject> {
     let catalog = Catalog::shipped();
     let mut subjects = Vec::new();
-    for example in examples() {
+    for example in examples_of(turnwright::document::Kind::TurnedPart) {
         let document = Arc::new(document_from_text(example.name, example.text).unwrap());
         let derived = regenerate(&document, &catalog, &mut Cache::default(), &Cancel::default()).unwrap();
         for item in &derived.setups {

@@ -4,7 +4,7 @@ use turnwright::document::{Content, TurnedPart};
 use turnwright::geometry::Point;
 use turnwright::machine::{Catalog, Machine};
 use turnwright::part::{Curve, Section, Setup, setups};
-use turnwright::storage::{document_from_text, examples};
+use turnwright::storage::{document_from_text, examples, examples_of};
 
 /// A set-up and the part it belongs to, in mm.
 pub(crate) type Part = (Setup, TurnedPart);
@@ -32,14 +32,18 @@ pub(crate) fn all_examples() -> Vec<(&'static str, Vec<Part>)> {
         setups(&part, &orac()).0.into_iter().map(|setup| (setup, part.clone())).collect()
     };
     let for_orac = |name: &&str| example(name).machine == "orac";
-    examples().iter().map(|e| e.name).filter(for_orac).map(|name| (name, clampings(name))).collect()
+    examples_of(turnwright::document::Kind::TurnedPart)
+        .map(|e| e.name)
+        .filter(for_orac)
+        .map(|name| (name, clampings(name)))
+        .collect()
 }
 
 /// An example part in mm.
 fn example(name: &str) -> TurnedPart {
     let example = examples().iter().find(|e| e.name == name).unwrap();
     let document = document_from_text(name, example.text).unwrap();
-    let Content::TurnedPart(part) = document.content;
+    let Content::TurnedPart(part) = document.content else { unreachable!("a turned part") };
     part.scaled(document.unit.in_mm())
 }
 

@@ -74,6 +74,7 @@ pub(super) fn derived(part: &TurnedPart) -> SetupDerived {
     };
     SetupDerived {
         name: "SAMPLE".into(),
+        part: Arc::default(),
         setup: Arc::new(setup),
         contour: Arc::new(contour),
         bore: Arc::default(),

@@ -3,7 +3,6 @@
 use super::{Cursor, Editing, SectionsView, cells, rows, tsv};
 use crate::app::desk::Requests;
 use crate::diagnostic::Column;
-use crate::document::Content;
 use crate::part::Section;
 use crate::session::Session;
 use egui::{Event, Key, Modifiers, Ui};
@@ -145,8 +144,7 @@ pub(crate) fn tell(view: &mut SectionsView, session: &mut Session, columns: &[Co
 fn type_row(session: &mut Session, row: usize, column: Column, section: Section) {
     let table = session.part().row(section.id).map(|(table, ..)| table).unwrap_or_default();
     let label = format!("{column} of {}", cells::row_name(table, row, &section));
-    session.type_in(&label, |document| {
-        let Content::TurnedPart(part) = &mut document.content;
+    session.type_in_part(&label, |part| {
         if let Some(old) = part.row_mut(section.id) {
             *old = section;
         }

@@ -142,8 +142,7 @@ impl Grid {
         let all = [(Unit::Mm, "mm".to_owned()), (Unit::Inch, "inch".to_owned())];
         if let Some(new) = choice(ui, "Unit", &unit, &all, self.field) {
             session.edit("unit", None, |document| {
-                let crate::document::Content::TurnedPart(part) = &mut document.content;
-                *part = part.scaled(unit.in_mm() / new.in_mm());
+                document.content = document.content.scaled(unit.in_mm() / new.in_mm());
                 document.unit = new;
             });
         }

@@ -4,7 +4,7 @@ use super::figure;
 use super::marks::{self, Line, Mark, Source};
 use super::outline::{Outline, SAME_MM};
 use crate::diagnostic::{Diagnostic, Place};
-use crate::document::{Content, Document, TurnedPart};
+use crate::document::{Document, TurnedPart};
 use crate::geometry::{Bounds, Point, Segment};
 use crate::part::{PieceRole, Section};
 use crate::regen::Derived;
@@ -42,8 +42,10 @@ impl<'a> Subject<'a> {
 
     /// The part with these outlines.
     pub(super) fn with(document: &'a Document, outside: Outline, bore: Option<Outline>) -> Result<Self, Diagnostic> {
-        let Content::TurnedPart(part) = &document.content;
-        let Some(bounds) = outside.bounds().filter(|b| b.max.r > SAME_MM && b.max.z - b.min.z > SAME_MM) else {
+        let part = document.content.turned_part();
+        let Some((part, bounds)) =
+            part.zip(outside.bounds().filter(|b| b.max.r > SAME_MM && b.max.z - b.min.z > SAME_MM))
+        else {
             let message = "There is no part to draw: no row of the section table makes an outline.";
             return Err(Diagnostic::error("nothing-to-draw", Place::Document, message));
         };

@@ -9,7 +9,7 @@ use crate::machine::Catalog;
 use crate::papers::font;
 use crate::papers::page::{Align, Item};
 use crate::part::{self, Section, SectionKind};
-use crate::storage::{document_from_text, examples};
+use crate::storage::{document_from_text, examples_of};
 use crate::units::Unit;
 use proptest::prelude::*;
 
@@ -26,7 +26,7 @@ fn of_part(part: TurnedPart) -> Document {
 }
 
 fn pages(document: &Document, choice: DrawingChoice) -> Result<Vec<Page>, Diagnostic> {
-    let Content::TurnedPart(part) = &document.content;
+    let Content::TurnedPart(part) = &document.content else { unreachable!("a turned part") };
     let catalog = Catalog::shipped();
     let machine = catalog.machine(&part.machine).expect("a shipped machine");
     let (setups, _) = part::setups(&part.scaled(document.unit.in_mm()), machine);
@@ -78,7 +78,7 @@ fn flaw(page: &Page) -> Option<String> {
 
 #[test]
 fn every_example_is_drawn_on_every_paper_without_a_flaw() {
-    for example in examples().iter().map(|e| document(e.text)) {
+    for example in examples_of(crate::document::Kind::TurnedPart).map(|e| document(e.text)) {
         for paper in Paper::ALL {
             let choice = DrawingChoice { paper: Some(paper), scale: None };
             let pages = pages(&example, choice).unwrap_or_else(|e| panic!("{} on {}: {e}", example.name, paper.name()));

@@ -8,7 +8,7 @@ mod writer;
 
 use super::number::number;
 use super::page::Page;
-use crate::document::{Content, TurnedPart};
+use crate::document::TurnedPart;
 use crate::machine::{Catalog, Machine};
 use crate::regen::{Derived, SetupDerived};
 use crate::units::Unit;
@@ -17,7 +17,7 @@ use writer::Writer;
 /// The pages of one clamping's setup sheet, A4 upright: part, stock, holding, program zero with a picture of the set-up to scale,
 /// tools with pictures, operations and programs with their times, and what the proof found.
 pub(super) fn setup_sheet(derived: &Derived, item: &SetupDerived, catalog: &Catalog) -> Vec<Page> {
-    let Content::TurnedPart(part) = &derived.document.content;
+    let part = item.part.as_ref();
     let machine = derived.machine.as_deref();
     let subject = Subject { item, catalog, part, machine, unit: derived.document.unit };
     let mut writer = Writer::new(&item.name);
@@ -60,7 +60,7 @@ mod tests {
     use crate::cancel::Cancel;
     use crate::papers::{Item, Paper};
     use crate::regen::{Cache, regenerate};
-    use crate::storage::{document_from_text, examples};
+    use crate::storage::{document_from_text, examples_of};
     use std::sync::Arc;
 
     fn texts(pages: &[Page]) -> Vec<&str> {
@@ -71,7 +71,7 @@ mod tests {
     #[test]
     fn every_example_has_a_sheet_with_all_its_tools_operations_and_programs() {
         let catalog = Catalog::shipped();
-        for example in examples() {
+        for example in examples_of(crate::document::Kind::TurnedPart) {
             let document = Arc::new(document_from_text("example.turn", example.text).unwrap());
             let derived = regenerate(&document, &catalog, &mut Cache::default(), &Cancel::default()).unwrap();
             for item in &derived.setups {

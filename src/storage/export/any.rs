@@ -2,7 +2,7 @@
 
 use super::{cad, csv, dxf, svg, tsv};
 use crate::diagnostic::{Diagnostic, Place};
-use crate::document::{Content, Document, TurnedPart};
+use crate::document::{Document, TurnedPart};
 use crate::machine::Catalog;
 use crate::part::{self, PartContour, Profile, Section};
 use crate::storage::{bore_beside, replace_file, save_document};
@@ -20,13 +20,15 @@ const PARABOLA_TOLERANCE_MM: f64 = 0.001;
 /// # Errors
 /// Diagnostics if the extension is none of these, no profile can be made, or a file cannot be written.
 pub fn any(document: &Document, catalog: &Catalog, path: &Path) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
-    let Content::TurnedPart(part) = &document.content;
     let extension = path.extension().map(|e| e.to_string_lossy().to_ascii_lowercase()).unwrap_or_default();
     let mut diagnostics = Vec::new();
+    if extension == "turn" {
+        return save_document(path, document).map(|()| diagnostics).map_err(|d| vec![d]);
+    }
+    let Some(part) = document.content.turned_part() else { return Err(vec![unknown(path, &extension)]) };
     let written = match extension.as_str() {
-        "turn" => save_document(path, document),
         "cad" => {
-            let (texts, more) = cad(document);
+            let (texts, more) = cad(document, part);
             diagnostics.extend(more);
             write(path, &texts.cad)
                 .and_then(|()| texts.siz.map_or(Ok(()), |text| write(&path.with_extension("SIZ"), &text)))
@@ -89,13 +91,14 @@ fn unknown(path: &Path, extension: &str) -> Diagnostic {
 mod tests {
     use super::*;
     use crate::diagnostic::has_errors;
-    use crate::storage::{document_from_text, examples, import};
+    use crate::document::Content;
+    use crate::storage::{document_from_text, examples, examples_of, import};
 
     #[test]
     fn every_example_is_written_as_every_kind_and_read_back() {
         let folder = tempfile::tempdir().unwrap();
         let catalog = Catalog::shipped();
-        for example in examples() {
+        for example in examples_of(crate::document::Kind::TurnedPart) {
             let document = document_from_text(example.name, example.text).unwrap();
             for extension in ["turn", "CAD", "dxf", "svg", "csv", "tsv"] {
                 let path = folder.path().join(example.name).with_extension(extension);
@@ -115,7 +118,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let catalog = Catalog::shipped();
         let mut document = document_from_text("", examples()[0].text).unwrap();
-        let Content::TurnedPart(part) = &mut document.content;
+        let Content::TurnedPart(part) = &mut document.content else { unreachable!("a turned part") };
         part.bore = vec![Section::line(900, 10.0, 3.0, part.length, 3.0)];
         let bore = part.bore.clone();
         for extension in ["tsv", "csv", "dxf", "svg", "turn"] {
@@ -124,7 +127,7 @@ mod tests {
             if matches!(extension, "tsv" | "dxf" | "turn") {
                 let (again, diagnostics) = import::any(&path, "orac").unwrap();
                 assert!(!has_errors(&diagnostics), "{diagnostics:?}");
-                let Content::TurnedPart(part) = again.content;
+                let Content::TurnedPart(part) = again.content else { unreachable!("a turned part") };
                 let ends = |rows: &[Section]| rows.iter().map(|s| [s.z1, s.d1, s.z2, s.d2]).collect::<Vec<_>>();
                 assert_eq!(ends(&part.bore), ends(&bore));
             }

@@ -1,16 +1,15 @@
 //! ORACAP part files.
 
 use crate::diagnostic::{Diagnostic, Place};
-use crate::document::{Content, Document, Ends, Holding};
+use crate::document::{Document, Ends, Holding, TurnedPart};
 use crate::part::{Section, SectionKind};
 use crate::storage::import::CadTexts;
 use crate::units::Unit;
 use std::fmt::Write;
 
-/// The `.CAD`, `.SIZ` and `.END` texts of a document in their published layout, and what they cannot hold.
+/// The `.CAD`, `.SIZ` and `.END` texts of a document with this part in their published layout, and what they cannot hold.
 #[must_use]
-pub fn cad(document: &Document) -> (CadTexts, Vec<Diagnostic>) {
-    let Content::TurnedPart(part) = &document.content;
+pub fn cad(document: &Document, part: &TurnedPart) -> (CadTexts, Vec<Diagnostic>) {
     let flag = |on: bool| if on { 'T' } else { 'F' };
     let material: String = part.material.split_whitespace().collect::<Vec<_>>().join("_");
     let mut text = String::new();

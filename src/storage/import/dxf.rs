@@ -167,7 +167,7 @@ mod tests {
 
     fn import(bytes: &[u8]) -> (Unit, Vec<Section>, Vec<Diagnostic>) {
         let (document, diagnostics) = dxf("a.dxf", "A", bytes, "orac").unwrap();
-        let Content::TurnedPart(part) = document.content;
+        let Content::TurnedPart(part) = document.content else { unreachable!("a turned part") };
         (document.unit, part.sections, diagnostics)
     }
 
@@ -238,7 +238,7 @@ mod tests {
         let bore = PartContour { contour: Contour::new(inside), sections: vec![6, 6, 7, 8] };
         let text = export::dxf(&sample(), Some(&bore), Unit::Mm).unwrap();
         let (document, diagnostics) = dxf("a.dxf", "A", text.as_bytes(), "orac").unwrap();
-        let Content::TurnedPart(part) = document.content;
+        let Content::TurnedPart(part) = document.content else { unreachable!("a turned part") };
         assert_eq!((diagnostics, part.sections.len(), part.bore.len()), (vec![], 5, 3));
         assert_near(&part.bore[0], &Section::line(6, 4.0, 6.0, 12.0, 6.0));
         let bulge = Section { kind: SectionKind::Convex { radius: 4.0 }, ..Section::line(7, 12.0, 6.0, 16.0, 14.0) };

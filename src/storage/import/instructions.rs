@@ -11,7 +11,7 @@
 //! `ZP_that_gives_the_listing_mm`. Where such a figure is there, it is used, and a remark says so.
 
 use crate::diagnostic::{Diagnostic, Place, Severity, has_errors};
-use crate::document::{Content, CutIn, Cycle, Document, Generator, Instruction};
+use crate::document::{CutIn, Cycle, Document, Generator, Instruction};
 use crate::storage::locate::offset_of;
 use crate::textfile::{line_and_column, line_place};
 use serde_json::{Map, Value};
@@ -40,7 +40,11 @@ pub fn instructions(
         let code = if error.is_eof() { "instructions-truncated" } else { "instructions-syntax" };
         vec![Diagnostic::error(code, at, format!("The file is not whole JSON: {error}."))]
     })?;
-    let Content::TurnedPart(part) = &mut document.content;
+    let factor = 1.0 / document.unit.in_mm();
+    let Some(part) = document.content.turned_part_mut() else {
+        let message = "Cutting instructions belong to a turned part; the document is none.";
+        return Err(vec![Diagnostic::error("instructions-without-part", Place::Document, message)]);
+    };
     let ids: Vec<u32> = part.sections.iter().map(|s| s.id).collect();
     let mut reader = Reader { file, text, ids: &ids, diagnostics: Vec::new() };
     let made = reader.operations(&root);
@@ -49,7 +53,6 @@ pub fn instructions(
     if has_errors(&diagnostics) {
         return Err(diagnostics);
     }
-    let factor = 1.0 / document.unit.in_mm();
     part.generator = Generator::Cycles { instructions: made.iter().map(|i| i.scaled(factor)).collect() };
     part.program.number = number.or(part.program.number);
     Ok((document, diagnostics))
@@ -240,6 +243,7 @@ fn shortened(value: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::Content;
     use crate::storage::import::roll;
 
     const TOP: &str = include_str!("../../../tests/cases/1470b/CU1470b-2T.json");
@@ -251,7 +255,7 @@ mod tests {
 
     fn read(text: &str) -> Result<(Vec<Instruction>, Vec<Diagnostic>), Vec<Diagnostic>> {
         let (document, diagnostics) = instructions("CU.json", text, document())?;
-        let Content::TurnedPart(part) = document.content;
+        let Content::TurnedPart(part) = document.content else { unreachable!("a turned part") };
         let Generator::Cycles { instructions } = part.generator else { panic!("cycles") };
         Ok((instructions, diagnostics))
     }
@@ -266,7 +270,7 @@ mod tests {
         assert!(diagnostics.iter().all(|d| d.code == "instructions-correction"));
         assert_eq!(diagnostics.len(), 6);
         let (document, _) = instructions("CU.json", TOP, document()).unwrap();
-        let Content::TurnedPart(part) = document.content;
+        let Content::TurnedPart(part) = document.content else { unreachable!("a turned part") };
         assert_eq!(part.program.number, Some(201));
     }
 

@@ -15,7 +15,7 @@ mod element;
 
 use super::{Imported, largest_diameter, largest_position, name_of};
 use crate::diagnostic::{Diagnostic, has_errors};
-use crate::document::{Content, Document, Ends, Generator, Holding};
+use crate::document::{Document, Ends, Generator, Holding};
 use crate::part::{Section, SectionKind, row_curve};
 use crate::textfile::{file_place, line_place};
 use crate::turning::cycles::{BLANK_ALLOWANCE_MM, standard_blank_mm};
@@ -71,10 +71,11 @@ pub fn roll(file: &str, text: &str) -> Result<(Document, Vec<Diagnostic>), Vec<D
         bore: Vec::new(),
     }
     .document(file)?;
-    let Content::TurnedPart(part) = &mut document.content;
-    part.form_tolerance = FORM_TOLERANCE_MM;
-    part.holding = Holding::BetweenCentres;
-    part.generator = Generator::Cycles { instructions: Vec::new() };
+    if let Some(part) = document.content.turned_part_mut() {
+        part.form_tolerance = FORM_TOLERANCE_MM;
+        part.holding = Holding::BetweenCentres;
+        part.generator = Generator::Cycles { instructions: Vec::new() };
+    }
     Ok((document, diagnostics))
 }
 
@@ -154,13 +155,14 @@ fn rounded(value: f64, decimals: i32) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::Content;
 
     const TOP: &str = include_str!("../../../tests/cases/1470b/E1470b-2T.txt");
     const BOTTOM: &str = include_str!("../../../tests/cases/1470b/E1470b-2B.txt");
 
     fn rows(text: &str) -> Vec<Section> {
         let (document, _) = roll("E1470b-2T.txt", text).unwrap();
-        let Content::TurnedPart(part) = document.content;
+        let Content::TurnedPart(part) = document.content else { unreachable!("a turned part") };
         part.sections
     }
 
@@ -178,7 +180,7 @@ mod tests {
     fn the_document_is_ready_for_the_published_lathe() {
         let (document, diagnostics) = roll("folder/E1470b-2T.txt", TOP).unwrap();
         assert_eq!(document.name, "1470b-2T");
-        let Content::TurnedPart(part) = document.content;
+        let Content::TurnedPart(part) = document.content else { unreachable!("a turned part") };
         assert_eq!((part.machine.as_str(), part.bar_diameter, part.length), ("mori-fanuc-6t", 160.0, 159.303));
         assert_eq!(part.holding, Holding::BetweenCentres);
         // Two corners so flat that their place follows from the crossing, and nothing else to say.
@@ -214,7 +216,7 @@ mod tests {
     fn a_roll_above_the_largest_blank_asks() {
         let text = "1 1 0 0 0 101 1 0 0 0\n2 1 0 101 50 101 0 1 -101 0\n0 0 0 0 0 0 0 0 0 0\n";
         let (document, diagnostics) = roll("big.txt", text).unwrap();
-        let Content::TurnedPart(part) = document.content;
+        let Content::TurnedPart(part) = document.content else { unreachable!("a turned part") };
         assert_eq!((part.bar_diameter, diagnostics[0].code.as_str()), (212.0, "roll-blank"));
     }
 }

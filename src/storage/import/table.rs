@@ -145,13 +145,13 @@ mod tests {
     use super::*;
     use crate::diagnostic::Place;
     use crate::document::Content;
-    use crate::storage::{document_from_text, examples, export};
+    use crate::storage::{document_from_text, examples_of, export};
 
     #[test]
     fn a_copied_table_is_pasted_as_it_was() {
-        for example in examples() {
+        for example in examples_of(crate::document::Kind::TurnedPart) {
             let document = document_from_text(example.name, example.text).unwrap();
-            let Content::TurnedPart(part) = document.content;
+            let Content::TurnedPart(part) = document.content else { unreachable!("a turned part") };
             let (sections, diagnostics) = tsv("clipboard", &export::tsv(&part.sections), document.unit, 1);
             assert_eq!(diagnostics, []);
             assert_eq!(sections, part.sections);

@@ -160,7 +160,9 @@ mod tests {
 
     fn example(name: &str) -> TurnedPart {
         let example = examples().iter().find(|e| e.name == name).unwrap();
-        let Content::TurnedPart(part) = document_from_text(name, example.text).unwrap().content;
+        let Content::TurnedPart(part) = document_from_text(name, example.text).unwrap().content else {
+            unreachable!("a turned part")
+        };
         part
     }
 

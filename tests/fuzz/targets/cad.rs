@@ -11,7 +11,8 @@ fuzz_target!(|text: &str| {
     match import::cad("FUZZ.CAD", "FUZZ", &texts, "orac") {
         Ok((document, _)) => {
             document_to_text(&document).expect("what was read can be saved");
-            let (written, _) = export::cad(&document);
+            let part = document.content.turned_part().expect("a part file holds a part");
+            let (written, _) = export::cad(&document, part);
             let _ = import::cad("FUZZ.CAD", "FUZZ", &written, "orac");
         }
         Err(diagnostics) => assert!(!diagnostics.is_empty(), "refused without a word"),

@@ -1,0 +1,84 @@
+//! A set of form-rolls: the cross-section of the finished strip, its way through the stations, and what is decided about
+//! single rolls. Lengths are in the unit of the document, angles in degrees.
+
+mod roll;
+mod section;
+mod station;
+
+use serde::{Deserialize, Serialize};
+
+pub use roll::{RollKind, RollRef, RollWork};
+pub use section::{CrossSection, DevelopedWidth, Element, ElementKind, Origin, StripMaterial};
+pub use station::{
+    BendAngle, Composite, DriveSurface, ExtensionContour, ExtensionKind, Face, FixedComposite, FormingLine, Opening,
+    Pinch, Sharpening, SideEnd, SideRoll, Station,
+};
+
+/// A set of form-rolls.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RollSet {
+    /// Machine id of the lathe that turns the rolls.
+    pub machine: String,
+    /// Material of the rolls, as in the material table.
+    pub material: String,
+    /// What the strip is made of.
+    pub strip: StripMaterial,
+    /// The finished section.
+    pub section: CrossSection,
+    /// How the radius of a bend goes down from station to station.
+    #[serde(default, skip_serializing_if = "super::is_default")]
+    pub opening: Opening,
+    /// At which stations bends get their finished radius at once.
+    #[serde(default, skip_serializing_if = "super::is_default")]
+    pub sharpening: Sharpening,
+    /// Bends that are made of a leading line, an arc and a trailing line while they are being formed.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub composites: Vec<Composite>,
+    /// What the stations share.
+    pub line: FormingLine,
+    /// The stations in the direction of the strip.
+    pub stations: Vec<Station>,
+    /// Deviation from its contour that the proof of a roll allows.
+    pub form_tolerance: f64,
+    /// What was decided about single rolls; a roll that is not named is as it was designed, and planned.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub rolls: Vec<RollWork>,
+}
+
+impl RollSet {
+    /// The same set with every length multiplied by `factor`, as when the unit changes.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self {
+            section: self.section.scaled(factor),
+            line: self.line.scaled(factor),
+            stations: self.stations.iter().map(|s| s.scaled(factor)).collect(),
+            form_tolerance: self.form_tolerance * factor,
+            rolls: self.rolls.iter().map(|r| r.scaled(factor)).collect(),
+            ..self.clone()
+        }
+    }
+
+    /// The station with this id and its number in the line, from 1.
+    #[must_use]
+    pub fn station(&self, id: u32) -> Option<(usize, &Station)> {
+        (1..).zip(&self.stations).find(|(_, s)| s.id == id)
+    }
+
+    /// What was decided about a roll.
+    #[must_use]
+    pub fn roll(&self, roll: RollRef) -> Option<&RollWork> {
+        self.rolls.iter().find(|r| r.roll == roll)
+    }
+
+    /// What was decided about a roll, to be changed; begun if nothing was.
+    pub fn roll_mut(&mut self, roll: RollRef) -> &mut RollWork {
+        let known = self.rolls.iter().position(|r| r.roll == roll);
+        let at = known.unwrap_or_else(|| {
+            self.rolls.push(RollWork::of(roll));
+            self.rolls.len() - 1
+        });
+        &mut self.rolls[at]
+    }
+}

@@ -1,0 +1,105 @@
+//! Single rolls of a set: which there are, and what is decided about them.
+
+use crate::document::{Generator, PlanEdits, ProgramChoices};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// A roll of a set.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RollRef {
+    /// Id of its station.
+    pub station: u32,
+    /// Its place there.
+    pub kind: RollKind,
+}
+
+/// The rolls of a station.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum RollKind {
+    /// Above the strip.
+    Top,
+    /// Below the strip.
+    Bottom,
+    /// Left of the strip on an upright axis.
+    Left,
+    /// Right of the strip on an upright axis.
+    Right,
+}
+
+impl RollKind {
+    /// All kinds in the order of a list.
+    pub const ALL: [Self; 4] = [Self::Top, Self::Bottom, Self::Left, Self::Right];
+
+    /// The letter in the name of a roll: `T` in `1470b-2T`.
+    #[must_use]
+    pub const fn letter(self) -> char {
+        match self {
+            Self::Top => 'T',
+            Self::Bottom => 'B',
+            Self::Left => 'L',
+            Self::Right => 'R',
+        }
+    }
+
+    /// Name for people.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Top => "top roll",
+            Self::Bottom => "bottom roll",
+            Self::Left => "left roll",
+            Self::Right => "right roll",
+        }
+    }
+}
+
+/// What is decided about a roll beyond its design.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RollWork {
+    /// The roll.
+    pub roll: RollRef,
+    /// Diameter of the blank; the next standard one when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub blank_diameter: Option<f64>,
+    /// Which generator makes the program; the planner when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub generator: Option<Generator>,
+    /// What was changed of the planner's operations.
+    #[serde(default, skip_serializing_if = "crate::document::is_default")]
+    pub plan: PlanEdits,
+    /// How the programs are written.
+    #[serde(default, skip_serializing_if = "crate::document::is_default")]
+    pub program: ProgramChoices,
+    /// Programs edited by hand, by program name.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub overrides: BTreeMap<String, String>,
+}
+
+impl RollWork {
+    /// Nothing decided yet.
+    #[must_use]
+    pub fn of(roll: RollRef) -> Self {
+        Self {
+            roll,
+            blank_diameter: None,
+            generator: None,
+            plan: PlanEdits::default(),
+            program: ProgramChoices::default(),
+            overrides: BTreeMap::new(),
+        }
+    }
+
+    /// The same with every length multiplied by `factor`.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self {
+            blank_diameter: self.blank_diameter.map(|d| d * factor),
+            generator: self.generator.as_ref().map(|g| g.scaled(factor)),
+            plan: self.plan.scaled(factor),
+            ..self.clone()
+        }
+    }
+}
