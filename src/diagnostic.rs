@@ -49,6 +49,28 @@ pub enum Place {
         /// Turret station.
         station: u32,
     },
+    /// An element of a cross-section.
+    Element {
+        /// Stable id of the element.
+        id: u32,
+        /// Position in its list, from 1, at the time of the message.
+        number: usize,
+        /// True if it is in the list of the other side.
+        #[serde(default, skip_serializing_if = "is_false")]
+        other_side: bool,
+    },
+    /// A station of a forming line.
+    Station {
+        /// Stable id of the station.
+        id: u32,
+        /// Its number in the line, from 1, at the time of the message.
+        number: usize,
+    },
+    /// A form-roll.
+    Roll {
+        /// Its name, station and letter: `2T`.
+        name: String,
+    },
     /// A block of a program. On the ORAC a block is a page.
     Block {
         /// Program name without extension.
@@ -189,6 +211,10 @@ impl fmt::Display for Place {
             Self::Stock => write!(f, "stock"),
             Self::Machine { id } => write!(f, "machine {id}"),
             Self::Tool { station } => write!(f, "tool {station}"),
+            Self::Element { number, other_side: false, .. } => write!(f, "element {number}"),
+            Self::Element { number, .. } => write!(f, "element {number} of the other side"),
+            Self::Station { number, .. } => write!(f, "station {number}"),
+            Self::Roll { name } => write!(f, "roll {name}"),
             Self::Block { program, block } => write!(f, "{program} block {block}"),
             Self::Line { file, line, column } => {
                 write!(f, "{file}:{line}")?;
@@ -206,6 +232,11 @@ impl SectionTable {
     pub const fn is_outside(&self) -> bool {
         matches!(self, Self::Outside)
     }
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "the signature that serde asks for")]
+const fn is_false(value: &bool) -> bool {
+    !*value
 }
 
 /// What one row of the table is called.

@@ -290,7 +290,11 @@ impl Desk {
                 self.layout.bring_to_front(Pane::Sections);
                 self.layout.bring_to_front(Pane::Inspector);
             }
-            Place::Line { .. } | Place::File { .. } => {}
+            Place::Element { .. }
+            | Place::Station { .. }
+            | Place::Roll { .. }
+            | Place::Line { .. }
+            | Place::File { .. } => {}
         }
     }
 
