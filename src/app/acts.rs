@@ -69,9 +69,15 @@ impl Desk {
             Action::WriteTo(path) => self.write(path),
             Action::Undo => self.session.iter_mut().for_each(Session::undo),
             Action::Redo => self.session.iter_mut().for_each(Session::redo),
-            Action::TogglePane(pane) => self.layout.set_shown(pane, !self.layout.is_shown(pane)),
-            Action::ShowPane(pane) => self.layout.bring_to_front(pane),
-            Action::ResetLayout => self.layout = Layout::standard(),
+            Action::TogglePane(pane) => {
+                let layout = self.layout();
+                layout.set_shown(pane, !layout.is_shown(pane));
+            }
+            Action::ShowPane(pane) => self.layout().bring_to_front(pane),
+            Action::ResetLayout => {
+                let kind = self.layout().kind();
+                *self.layout() = Layout::standard(kind);
+            }
             Action::Theme(theme) => ctx.set_theme(theme),
             Action::Zoom(0) => ctx.set_zoom_factor(1.0),
             Action::Zoom(step) => ctx.set_zoom_factor((ctx.zoom_factor() + 0.1 * f32::from(step)).clamp(0.5, 3.0)),
@@ -120,7 +126,7 @@ impl Desk {
                 let file = path.file_name().unwrap_or_default().to_string_lossy();
                 let label = format!("{file} as {name}");
                 session.edit_part(&label, None, |part| _ = part.overrides.insert(name, text));
-                self.layout.bring_to_front(Pane::Program);
+                self.layout().bring_to_front(Pane::Program);
             }
             Err(reasons) => self.say_all(&reasons),
         }
@@ -269,7 +275,7 @@ impl Desk {
         let Some(session) = &self.session else { return };
         let ctx = ctx.clone();
         self.transfer.send(session, insists, move || ctx.request_repaint());
-        self.layout.bring_to_front(Pane::Transfer);
+        self.layout().bring_to_front(Pane::Transfer);
     }
 
     fn go_to(&mut self, place: &Place) {
@@ -278,17 +284,17 @@ impl Desk {
             Place::Section { id, column, .. } => {
                 session.selection.section = Some(*id);
                 self.views.sections.go_to(session, *id, *column);
-                self.layout.bring_to_front(Pane::Sections);
+                self.layout().bring_to_front(Pane::Sections);
             }
             Place::Block { program, block } => {
                 session.select_block(program, *block);
-                self.layout.bring_to_front(Pane::Program);
+                self.layout().bring_to_front(Pane::Program);
                 self.show_block();
             }
             Place::Stock | Place::Document | Place::Machine { .. } | Place::Tool { .. } => {
                 session.selection.section = None;
-                self.layout.bring_to_front(Pane::Sections);
-                self.layout.bring_to_front(Pane::Inspector);
+                self.layout().bring_to_front(Pane::Sections);
+                self.layout().bring_to_front(Pane::Inspector);
             }
             Place::Element { .. }
             | Place::Station { .. }

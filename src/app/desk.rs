@@ -8,12 +8,15 @@ use super::operations::OperationsView;
 use super::plots::{CutView, Palette, ProfileView, SolidView};
 use super::problems::ProblemsView;
 use super::program::ProgramView;
+use super::rolls::RollsViews;
 use super::sections::SectionsView;
+use super::shell::ShellViews;
 use super::start::StartPage;
 use super::theme::{self, Colors};
 use super::transfer::TransferPanel;
 use super::{menus, panes, status};
 use crate::diagnostic::{Diagnostic, Severity};
+use crate::document::Kind;
 use crate::machine::Catalog;
 use crate::proof::BlockRef;
 use crate::session::{GestureId, Hovered, Session};
@@ -23,6 +26,7 @@ use crate::transfer::{Outcome, Progress};
 use egui::{Context, Margin, Panel, Ui, ViewportCommand};
 use egui_notify::{Toast, ToastLevel, Toasts};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
@@ -81,6 +85,17 @@ impl Requests {
     }
 }
 
+const KINDS: [Kind; 3] = [Kind::TurnedPart, Kind::RollSet, Kind::Shell];
+
+/// Under which name the places of panels are remembered.
+const fn layout_key(kind: Kind) -> &'static str {
+    match kind {
+        Kind::TurnedPart => "layout",
+        Kind::RollSet => "layout-rolls",
+        Kind::Shell => "layout-shell",
+    }
+}
+
 /// What is remembered from one run to the next.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 #[serde(default)]
@@ -99,6 +114,8 @@ pub(crate) struct Views {
     pub(crate) solid: SolidView,
     pub(crate) program: ProgramView,
     pub(crate) problems: ProblemsView,
+    pub(crate) rolls: RollsViews,
+    pub(crate) shell: ShellViews,
     /// Block at the slider in the last frame.
     pub(crate) block_at_slider: Option<BlockRef>,
     /// Gesture of the drag in the profile plot.
@@ -110,7 +127,8 @@ pub struct Desk {
     pub(super) surroundings: Surroundings,
     pub(super) catalog: Arc<Catalog>,
     pub(super) session: Option<Session>,
-    pub(super) layout: Layout,
+    /// The places of the panels, by kind of document.
+    pub(super) layouts: BTreeMap<Kind, Layout>,
     pub(super) views: Views,
     pub(super) transfer: TransferPanel,
     pub(super) dialog: Option<Dialog>,
@@ -141,7 +159,7 @@ impl Desk {
             surroundings,
             catalog,
             session: None,
-            layout: Layout::standard(),
+            layouts: KINDS.map(|kind| (kind, Layout::standard(kind))).into(),
             views: Views::default(),
             transfer: TransferPanel::default(),
             dialog: None,
@@ -158,8 +176,11 @@ impl Desk {
 
     /// Takes back what an earlier run remembered.
     pub fn restore(&mut self, get: impl Fn(&str) -> Option<String>) {
-        if let Some(layout) = get("layout").as_deref().and_then(Layout::from_text) {
-            self.layout = layout;
+        for kind in KINDS {
+            let text = get(layout_key(kind));
+            if let Some(layout) = text.as_deref().and_then(|text| Layout::from_text(kind, text)) {
+                self.layouts.insert(kind, layout);
+            }
         }
         if let Some(settings) = get("settings").and_then(|text| serde_json::from_str(&text).ok()) {
             self.settings = settings;
@@ -168,12 +189,25 @@ impl Desk {
 
     /// Hands out what the next run is to remember.
     pub fn remember(&self, mut set: impl FnMut(&str, String)) {
-        if let Some(layout) = self.layout.to_text() {
-            set("layout", layout);
+        for (&kind, layout) in &self.layouts {
+            if let Some(text) = layout.to_text() {
+                set(layout_key(kind), text);
+            }
         }
         if let Ok(settings) = serde_json::to_string(&self.settings) {
             set("settings", settings);
         }
+    }
+
+    /// The kind of the open document; a turned part if none is open.
+    fn kind(&self) -> Kind {
+        self.session.as_ref().map_or(Kind::TurnedPart, |session| session.document().content.kind())
+    }
+
+    /// The places of the panels that are shown.
+    pub(super) fn layout(&mut self) -> &mut Layout {
+        let kind = self.kind();
+        self.layouts.entry(kind).or_insert_with(|| Layout::standard(kind))
     }
 
     /// The open document.
@@ -275,9 +309,11 @@ impl Desk {
     fn frame(&mut self, ui: &mut Ui, requests: &mut Requests) {
         let colors = Colors::of(ui.visuals());
         let bar = |margin| egui::Frame::new().fill(colors.panel).inner_margin(margin);
+        let kind = self.kind();
+        let layout = self.layouts.entry(kind).or_insert_with(|| Layout::standard(kind));
         let hindrance = self.session.as_ref().and_then(|s| self.transfer.hindrance(s));
         Panel::top("header").frame(bar(Margin::symmetric(14, 7))).show(ui, |ui| {
-            menus::show(ui, self.session.as_ref(), &self.layout, hindrance.as_deref(), requests);
+            menus::show(ui, self.session.as_ref(), layout, hindrance.as_deref(), requests);
         });
         if let Some(session) = &self.session {
             Panel::bottom("status").frame(bar(Margin::symmetric(14, 4))).show(ui, |ui| {
@@ -291,7 +327,7 @@ impl Desk {
                 let problems = session.problem_count(Severity::Error) + session.problem_count(Severity::Warning);
                 let badge = move |pane: Pane| (pane == Pane::Problems).then_some(problems);
                 let (views, transfer) = (&mut self.views, &mut self.transfer);
-                self.layout.ui(ui, &badge, &mut |ui, pane, titled| {
+                layout.ui(ui, &badge, &mut |ui, pane, titled| {
                     panes::show(ui, pane, titled, session, views, transfer, requests)
                 });
             }

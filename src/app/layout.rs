@@ -1,10 +1,11 @@
 //! Panels on the desk: which there are, where they lie, and how they are dragged about.
 
+mod places;
+
 use super::theme::{self, Colors};
+use crate::document::Kind;
 use egui::{Id, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetText};
-use egui_tiles::{
-    Behavior, Container, Linear, LinearDir, SimplificationOptions, TabState, Tile, TileId, Tiles, Tree, UiResponse,
-};
+use egui_tiles::{Behavior, Container, SimplificationOptions, TabState, Tile, TileId, Tiles, Tree, UiResponse};
 use serde::{Deserialize, Serialize};
 
 /// A panel.
@@ -28,21 +29,46 @@ pub enum Pane {
     Inspector,
     /// The way to the lathe.
     Transfer,
+    /// Elements of the cross-section.
+    Elements,
+    /// Bend angles by element and station.
+    Angles,
+    /// The way of the strip through the stations.
+    Flower,
+    /// Rolls and strip of a station.
+    Station,
+    /// What a station is designed by.
+    StationData,
+    /// Corrections to the contour of one roll.
+    RollEditor,
+    /// All rolls with what is done about them.
+    RollList,
+    /// Strain, springback and properties of the section.
+    Charts,
+    /// What a shell is made by.
+    ShellData,
+    /// Former, shell and roller.
+    ShellView,
+    /// Thickness and reduction along the shell.
+    Wall,
+    /// The operator's sequence.
+    Operator,
+    /// The rig at work.
+    Rig,
+    /// Runs to compare.
+    Runs,
 }
 
 impl Pane {
-    /// All panels in the order of the View menu.
-    pub const ALL: [Self; 9] = [
-        Self::Sections,
-        Self::Operations,
-        Self::Profile,
-        Self::Cut,
-        Self::Program,
-        Self::Problems,
-        Self::Solid,
-        Self::Inspector,
-        Self::Transfer,
-    ];
+    /// The panels of a kind of document in the order of the View menu.
+    #[must_use]
+    pub const fn of(kind: Kind) -> &'static [Self] {
+        match kind {
+            Kind::TurnedPart => &PART_PANES,
+            Kind::RollSet => &ROLL_PANES,
+            Kind::Shell => &SHELL_PANES,
+        }
+    }
 
     /// Name for people.
     #[must_use]
@@ -57,15 +83,70 @@ impl Pane {
             Self::Solid => "3D",
             Self::Inspector => "Inspector",
             Self::Transfer => "Transfer",
+            Self::Elements => "Elements",
+            Self::Angles => "Bend angles",
+            Self::Flower => "Flower",
+            Self::Station => "Station",
+            Self::StationData => "Station data",
+            Self::RollEditor => "Roll editor",
+            Self::RollList => "Rolls",
+            Self::Charts => "Charts",
+            Self::ShellData => "Shell",
+            Self::ShellView => "Former and roller",
+            Self::Wall => "Wall",
+            Self::Operator => "Operator",
+            Self::Rig => "Rig",
+            Self::Runs => "Runs",
         }
     }
 }
 
+const PART_PANES: [Pane; 9] = [
+    Pane::Sections,
+    Pane::Operations,
+    Pane::Profile,
+    Pane::Cut,
+    Pane::Program,
+    Pane::Problems,
+    Pane::Solid,
+    Pane::Inspector,
+    Pane::Transfer,
+];
+
+const ROLL_PANES: [Pane; 13] = [
+    Pane::Elements,
+    Pane::Angles,
+    Pane::Flower,
+    Pane::Station,
+    Pane::RollEditor,
+    Pane::Cut,
+    Pane::Charts,
+    Pane::Program,
+    Pane::Operations,
+    Pane::Problems,
+    Pane::StationData,
+    Pane::RollList,
+    Pane::Transfer,
+];
+
+const SHELL_PANES: [Pane; 9] = [
+    Pane::ShellData,
+    Pane::ShellView,
+    Pane::Wall,
+    Pane::Rig,
+    Pane::Runs,
+    Pane::Program,
+    Pane::Problems,
+    Pane::Operator,
+    Pane::Transfer,
+];
+
 /// Height of the row with the tabs of panels that share a place, points.
 const TAB_BAR: f32 = 38.0;
 
-/// The panels and their places.
+/// The panels of a kind of document and their places.
 pub(crate) struct Layout {
+    kind: Kind,
     tree: Tree<Pane>,
 }
 
@@ -75,29 +156,38 @@ pub(crate) type ShowPane<'a> = dyn FnMut(&mut Ui, Pane, bool) -> bool + 'a;
 impl Layout {
     /// The places that every new user finds.
     #[must_use]
-    pub(crate) fn standard() -> Self {
-        let mut tiles = Tiles::default();
-        let [sections, operations, profile, cut, program, problems, solid, inspector, transfer] =
-            Pane::ALL.map(|p| tiles.insert_pane(p));
-        let text = tiles.insert_tab_tile(vec![program, problems, solid]);
-        let middle = column(&mut tiles, &[(profile, 0.385), (cut, 0.375), (text, 0.24)]);
-        let right = column(&mut tiles, &[(inspector, 0.49), (transfer, 0.51)]);
-        let left = column(&mut tiles, &[(sections, 0.72), (operations, 0.28)]);
-        let root = share(&mut tiles, LinearDir::Horizontal, &[(left, 0.302), (middle, 0.503), (right, 0.195)]);
-        Self { tree: Tree::new(Id::unique("desk-layout"), root, tiles) }
+    pub(crate) fn standard(kind: Kind) -> Self {
+        let (tiles, root) = match kind {
+            Kind::TurnedPart => places::part(PART_PANES),
+            Kind::RollSet => places::rolls(ROLL_PANES),
+            Kind::Shell => places::shell(SHELL_PANES),
+        };
+        Self { kind, tree: Tree::new(Id::unique("desk-layout").with(kind), root, tiles) }
     }
 
-    /// The layout in `text`, if it is one with every panel in it.
+    /// The layout in `text`, if it is one with every panel of the kind in it.
     #[must_use]
-    pub(crate) fn from_text(text: &str) -> Option<Self> {
+    pub(crate) fn from_text(kind: Kind, text: &str) -> Option<Self> {
         let tree: Tree<Pane> = serde_json::from_str(text).ok()?;
-        Pane::ALL.iter().all(|pane| tree.tiles.find_pane(pane).is_some()).then_some(Self { tree })
+        Pane::of(kind).iter().all(|pane| tree.tiles.find_pane(pane).is_some()).then_some(Self { kind, tree })
     }
 
     /// The layout as text for [`Self::from_text`].
     #[must_use]
     pub(crate) fn to_text(&self) -> Option<String> {
         serde_json::to_string(&self.tree).ok()
+    }
+
+    /// The kind of document.
+    #[must_use]
+    pub(crate) const fn kind(&self) -> Kind {
+        self.kind
+    }
+
+    /// The panels of this kind of document.
+    #[must_use]
+    pub(crate) const fn panes(&self) -> &'static [Pane] {
+        Pane::of(self.kind)
     }
 
     /// True if `pane` is not hidden.
@@ -147,18 +237,6 @@ impl Layout {
         let cards = self.tree.tiles.iter().filter(|(id, tile)| shown.contains(id) && is_card(**id, tile));
         cards.filter_map(|(id, _)| self.tree.tiles.rect(*id)).collect()
     }
-}
-
-fn column(tiles: &mut Tiles<Pane>, children: &[(TileId, f32)]) -> TileId {
-    share(tiles, LinearDir::Vertical, children)
-}
-
-fn share(tiles: &mut Tiles<Pane>, dir: LinearDir, children: &[(TileId, f32)]) -> TileId {
-    let mut linear = Linear::new(dir, children.iter().map(|(id, _)| *id).collect());
-    for (id, share) in children {
-        linear.shares.set_share(*id, *share);
-    }
-    tiles.insert_container(linear)
 }
 
 struct Desktop<'a, 'b> {
@@ -261,16 +339,16 @@ mod tests {
 
     #[test]
     fn a_layout_survives_its_text() {
-        let mut layout = Layout::standard();
+        let mut layout = Layout::standard(Kind::TurnedPart);
         layout.set_shown(Pane::Transfer, false);
-        let back = Layout::from_text(&layout.to_text().unwrap()).unwrap();
+        let back = Layout::from_text(Kind::TurnedPart, &layout.to_text().unwrap()).unwrap();
         assert!(!back.is_shown(Pane::Transfer));
         assert!(back.is_shown(Pane::Profile));
     }
 
     #[test]
     fn a_text_without_every_panel_is_no_layout() {
-        assert!(Layout::from_text("{}").is_none());
-        assert!(Layout::from_text("").is_none());
+        assert!(Layout::from_text(Kind::TurnedPart, "{}").is_none());
+        assert!(Layout::from_text(Kind::TurnedPart, "").is_none());
     }
 }

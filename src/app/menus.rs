@@ -138,7 +138,7 @@ fn edit(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) {
 
 fn view(ui: &mut Ui, layout: &Layout, requests: &mut Requests) {
     ui.menu_button("View", |ui| {
-        for pane in Pane::ALL {
+        for &pane in layout.panes() {
             let mut shown = layout.is_shown(pane);
             if ui.checkbox(&mut shown, pane.title()).clicked() {
                 requests.actions.push(Action::TogglePane(pane));

@@ -6,7 +6,7 @@ use super::plots::{self, CutEvent, CutScene, Dimension, End, Palette, Phase, Pro
 use super::sections::{self, cells};
 use super::transfer::{self, TransferPanel};
 use super::widgets::{link, title_row, toggle};
-use super::{inspector, operations, problems, program};
+use super::{inspector, operations, problems, program, rolls, shell};
 use crate::diagnostic::Column;
 use crate::proof::BlockRef;
 use crate::session::{Hovered, Session};
@@ -32,6 +32,17 @@ pub(crate) fn show(
         Pane::Solid => solid(ui, titled, session, views),
         Pane::Inspector => inspector::show(ui, &mut views.operations, session, requests, titled),
         Pane::Transfer => transfer::show(ui, transfer, session, requests, titled),
+        Pane::Elements
+        | Pane::Angles
+        | Pane::Flower
+        | Pane::Station
+        | Pane::StationData
+        | Pane::RollEditor
+        | Pane::RollList
+        | Pane::Charts => rolls::show(ui, pane, titled, session, &mut views.rolls, requests),
+        Pane::ShellData | Pane::ShellView | Pane::Wall | Pane::Operator | Pane::Rig | Pane::Runs => {
+            shell::show(ui, pane, titled, session, &mut views.shell, requests)
+        }
     }
 }
 

@@ -33,6 +33,10 @@ pub struct Selection {
     pub block: Option<usize>,
     /// Operation of the clamping shown, by index in its path.
     pub operation: Option<usize>,
+    /// Element of a cross-section, by id.
+    pub element: Option<u32>,
+    /// Station of a roll-forming line, by id.
+    pub station: Option<u32>,
 }
 
 /// Where the document stands against its file.
