@@ -18,6 +18,7 @@
 //! | [`post`] | cutter location data to program text |
 //! | [`turning`] | generators: set-up to cutter location data |
 //! | [`document`] | what is edited and saved |
+//! | [`rollform`] | cross-section, flower and rolls of a forming line |
 //! | [`part`] | section table to exact profile, checks |
 //! | [`machine`] | machines, tools and materials as data |
 //! | [`geometry`] | points, line and arc segments, contours |
@@ -41,6 +42,7 @@ pub mod post;
 pub mod proof;
 pub mod regen;
 mod replace;
+pub mod rollform;
 pub mod session;
 pub mod storage;
 pub mod textfile;

@@ -82,6 +82,8 @@ pub enum DevelopedWidth {
     Din6935,
     /// The rule of the American Society for Metals.
     Asm,
+    /// The same rule for metal that is less formable: bends without a radius count with half the thickness.
+    AsmLessFormable,
     /// Angel's formula.
     Angel,
     /// r + k·t with a k of one's own.

@@ -91,12 +91,13 @@ pub struct Composite {
     pub element: u32,
     /// Parts of its mean length, percent, 100 in all: leading line, arc, trailing line.
     pub percent: [f64; 3],
-    /// Stations between which these parts are kept; before, the parts open with the bend, and after, all is arc.
+    /// Stations at which it has these parts; elsewhere it is one arc that opens. Everywhere, until the bend has its finished
+    /// angle, when absent. Of several compositions of one element the last one that holds at a station counts.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fixed: Option<FixedComposite>,
 }
 
-/// Stations between which the parts of a composite bend are kept, by id.
+/// Stations at which a composite bend has its parts, by id.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FixedComposite {
@@ -235,6 +236,30 @@ impl FormingLine {
 }
 
 impl Station {
+    /// A station that bends nothing, with rolls of a size that suits the shafts of its line.
+    #[must_use]
+    pub fn new(id: u32, line: &FormingLine) -> Self {
+        /// Radius of a roll at the base of the strip, in diameters of its shaft: it leaves a wall as thick as the shaft.
+        const RADIUS_PER_SHAFT: f64 = 1.5;
+        let radius = line.shaft_diameter * RADIUS_PER_SHAFT;
+        Self {
+            id,
+            bends: Vec::new(),
+            pass_height: radius,
+            centre_distance: 2.0 * radius,
+            tolerance_left: 0.0,
+            tolerance_right: 0.0,
+            pinch: Pinch::None,
+            drive_left: None,
+            drive_right: None,
+            extension_left: Vec::new(),
+            extension_right: Vec::new(),
+            side_left: None,
+            side_right: None,
+            without_rolls: false,
+        }
+    }
+
     /// The same station with every length multiplied by `factor`.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {

@@ -1,0 +1,106 @@
+//! Roll sets for tests.
+
+use crate::document::{
+    BendAngle, CrossSection, DevelopedWidth, Element, ElementKind, FormingLine, Opening, Origin, Pinch, RollSet,
+    Sharpening, Station, StripMaterial,
+};
+
+/// A line with this id and length.
+pub(crate) const fn line(id: u32, length: f64) -> Element {
+    Element { id, kind: ElementKind::Line { length } }
+}
+
+/// A bend with this id, inside radius and angle.
+pub(crate) const fn bend(id: u32, inside_radius: f64, angle_deg: f64) -> Element {
+    Element { id, kind: ElementKind::Bend { inside_radius, angle_deg } }
+}
+
+/// A station with this id that changes these bends.
+pub(crate) fn station(id: u32, bends: &[(u32, f64)]) -> Station {
+    Station {
+        id,
+        bends: bends.iter().map(|&(element, angle_deg)| BendAngle { element, angle_deg }).collect(),
+        pass_height: 70.0,
+        centre_distance: 130.0,
+        tolerance_left: 0.0,
+        tolerance_right: 0.0,
+        pinch: Pinch::None,
+        drive_left: None,
+        drive_right: None,
+        extension_left: Vec::new(),
+        extension_right: Vec::new(),
+        side_left: None,
+        side_right: None,
+        without_rolls: false,
+    }
+}
+
+/// A set of these elements and stations.
+pub(crate) fn set(thickness: f64, origin: Origin, elements: Vec<Element>, stations: Vec<Station>) -> RollSet {
+    RollSet {
+        machine: "mori-fanuc-6t".to_owned(),
+        material: "STEEL".to_owned(),
+        strip: StripMaterial::default(),
+        section: CrossSection {
+            thickness,
+            origin,
+            first_angle_deg: 0.0,
+            developed_width: DevelopedWidth::MeanLine,
+            elements,
+            other_side: Vec::new(),
+        },
+        opening: Opening::MeanLine,
+        sharpening: Sharpening::None,
+        composites: Vec::new(),
+        line: FormingLine {
+            station_pitch: 300.0,
+            shaft_diameter: 40.0,
+            side_shaft_diameter: 25.0,
+            gear_ratio: 1.0,
+            drawn_gap: 10.0,
+        },
+        stations,
+        form_tolerance: 0.02,
+        rolls: Vec::new(),
+    }
+}
+
+/// A vee of 1 mm strip from left to right: 30 mm, one bend (element 2) of 2 mm to 90 degrees, 50 mm, at these angles.
+pub(crate) fn vee(angles_deg: &[f64]) -> RollSet {
+    let stations = (1..).zip(angles_deg).map(|(id, &angle)| station(id, &[(2, angle)])).collect();
+    set(1.0, Origin::LeftToRight, vec![line(1, 30.0), bend(2, 2.0, 90.0), line(3, 50.0)], stations)
+}
+
+/// The published section 1470b (Wong 1983, Figs. 5.5 and 5.6) without what its rolls are designed by.
+pub(crate) fn published() -> RollSet {
+    const GAP: f64 = 0.001;
+    let elements = vec![
+        line(1, 40.6499),
+        bend(2, 1.5, -23.0),
+        line(3, GAP),
+        bend(4, 1.5, -30.0),
+        line(5, GAP),
+        bend(6, 1.5, -20.0),
+        line(7, GAP),
+        bend(8, 1.5, -25.0),
+        line(9, GAP),
+        bend(10, 1.5, -45.0),
+        line(11, 1.9499),
+        bend(12, 2.5, 38.0),
+        line(13, GAP),
+        bend(14, 2.5, 25.0),
+        line(15, GAP),
+        bend(16, 2.5, 25.0),
+        line(17, GAP),
+        bend(18, 2.5, 25.0),
+        line(19, 1.75),
+        bend(20, 0.06, -180.0),
+        line(21, 1.3),
+    ];
+    let stations = vec![
+        station(1, &[(10, -45.0), (18, 25.0)]),
+        station(2, &[(8, -25.0), (16, 25.0), (20, -50.0)]),
+        station(3, &[(6, -20.0), (14, 25.0), (20, -75.0)]),
+    ];
+    set(0.5, Origin::Symmetrical, elements, stations)
+}

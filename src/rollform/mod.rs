@@ -1,0 +1,11 @@
+//! Form-rolls: the cross-section of a strip, its way through the stations of a forming line, and the rolls of every station.
+//!
+//! Everything here takes a [`RollSet`](crate::document::RollSet) in mm (scaled by the unit of its document) and is pure.
+//! Strip space: `z` across the line, to the right; `r` the height. Seen along the line, upwards is positive.
+
+pub mod bends;
+pub mod developed;
+pub mod properties;
+
+#[cfg(test)]
+pub(crate) mod fixtures;
