@@ -1,9 +1,9 @@
 //! The thread that regenerates, and the slot in front of it: the latest document wins.
 
 use crate::cancel::{Cancel, Cancelled};
-use crate::document::Document;
+use crate::document::{Document, RollRef};
 use crate::machine::Catalog;
-use crate::regen::{Cache, Derived, regenerate};
+use crate::regen::{Cache, Derived, Steps, regenerate_in_steps};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
@@ -14,13 +14,25 @@ use std::time::{Duration, Instant};
 const PATIENCE: Duration = Duration::from_millis(300);
 
 /// Makes everything that follows from a document. One lives as long as nothing panics; it may keep a cache.
-pub type Regenerate = Box<dyn FnMut(&Arc<Document>, &Cancel) -> Result<Derived, Cancelled>>;
+pub type Regenerate = Box<dyn FnMut(&Order, &Cancel, &mut dyn FnMut(Derived)) -> Result<Derived, Cancelled>>;
+
+/// A document to be regenerated.
+#[derive(Debug, Clone)]
+pub struct Order {
+    /// The document.
+    pub document: Arc<Document>,
+    /// The roll of a set that is shown, to be made before the others.
+    pub shown: Option<RollRef>,
+}
 
 /// The work of the window's thread: everything that follows from a document, with a cache from one to the next.
 #[must_use]
 pub fn regenerating(catalog: Arc<Catalog>) -> Regenerate {
     let mut cache = Cache::default();
-    Box::new(move |document, cancel| regenerate(document, &catalog, &mut cache, cancel))
+    Box::new(move |order, cancel, tell| {
+        let steps = Steps { first: order.shown, tell };
+        regenerate_in_steps(&order.document, &catalog, &mut cache, cancel, steps)
+    })
 }
 
 /// What came of one document.
@@ -28,7 +40,7 @@ pub fn regenerating(catalog: Arc<Catalog>) -> Regenerate {
 pub enum Outcome {
     /// It was regenerated.
     Done {
-        /// What follows from it.
+        /// What follows from it, or as much of it as there is by now.
         derived: Arc<Derived>,
         /// How long that took.
         took: Duration,
@@ -56,9 +68,16 @@ struct Shared {
 
 #[derive(Default)]
 struct State {
-    next: Option<Arc<Document>>,
-    running: Option<(Cancel, Instant)>,
+    next: Option<Order>,
+    running: Option<Running>,
     closed: bool,
+}
+
+struct Running {
+    cancel: Cancel,
+    since: Instant,
+    /// The window has got something of it already.
+    told: bool,
 }
 
 impl Worker {
@@ -73,14 +92,14 @@ impl Worker {
         Self { shared, outcomes }
     }
 
-    /// Puts `document` into the slot in place of one that has not been started.
-    pub fn post(&self, document: Arc<Document>) {
+    /// Puts `order` into the slot in place of one that has not been started.
+    pub fn post(&self, order: Order) {
         let mut state = self.shared.lock();
-        state.next = Some(document);
-        if let Some((cancel, since)) = &state.running
-            && since.elapsed() > PATIENCE
+        state.next = Some(order);
+        if let Some(running) = &state.running
+            && (running.told || running.since.elapsed() > PATIENCE)
         {
-            cancel.cancel();
+            running.cancel.cancel();
         }
         self.shared.wake.notify_one();
     }
@@ -95,8 +114,8 @@ impl Drop for Worker {
     fn drop(&mut self) {
         let mut state = self.shared.lock();
         state.closed = true;
-        if let Some((cancel, _)) = &state.running {
-            cancel.cancel();
+        if let Some(running) = &state.running {
+            running.cancel.cancel();
         }
         self.shared.wake.notify_one();
     }
@@ -109,16 +128,16 @@ impl Shared {
     }
 
     /// Waits for a document; `None` once the worker is dropped.
-    fn take(&self) -> Option<(Arc<Document>, Cancel)> {
+    fn take(&self) -> Option<(Order, Cancel)> {
         let mut state = self.lock();
         loop {
             if state.closed {
                 return None;
             }
-            if let Some(document) = state.next.take() {
+            if let Some(order) = state.next.take() {
                 let cancel = Cancel::default();
-                state.running = Some((cancel.clone(), Instant::now()));
-                return Some((document, cancel));
+                state.running = Some(Running { cancel: cancel.clone(), since: Instant::now(), told: false });
+                return Some((order, cancel));
             }
             state = self.wake.wait(state).unwrap_or_else(PoisonError::into_inner);
         }
@@ -127,16 +146,21 @@ impl Shared {
 
 fn run(shared: &Shared, make: &dyn Fn() -> Regenerate, sender: &Sender<Outcome>, notify: &dyn Fn()) {
     let mut regenerate = make();
-    while let Some((document, cancel)) = shared.take() {
+    while let Some((order, cancel)) = shared.take() {
         let start = Instant::now();
-        let result = catch_unwind(AssertUnwindSafe(|| regenerate(&document, &cancel)));
+        let mut tell = |derived| {
+            let _ = sender.send(Outcome::Done { derived: Arc::new(derived), took: start.elapsed() });
+            notify();
+            shared.lock().running.iter_mut().for_each(|running| running.told = true);
+        };
+        let result = catch_unwind(AssertUnwindSafe(|| regenerate(&order, &cancel, &mut tell)));
         shared.lock().running = None;
         let outcome = match result {
             Ok(Ok(derived)) => Outcome::Done { derived: Arc::new(derived), took: start.elapsed() },
             Ok(Err(Cancelled)) => continue,
             Err(payload) => {
                 regenerate = make();
-                Outcome::Fault { document, message: words_of(payload.as_ref()) }
+                Outcome::Fault { document: order.document, message: words_of(payload.as_ref()) }
             }
         };
         if sender.send(outcome).is_err() {
@@ -175,9 +199,14 @@ mod tests {
         Arc::new(Document { turnwright: 1, name: name.into(), unit: Unit::Mm, content: Content::TurnedPart(part) })
     }
 
+    fn order(name: &str) -> Order {
+        Order { document: document(name), shown: None }
+    }
+
     fn derived(document: &Arc<Document>) -> Derived {
         Derived {
             rolls: None,
+            complete: true,
             shell: None,
             document: Arc::clone(document),
             machine: None,
@@ -198,19 +227,19 @@ mod tests {
         let worker = Worker::start(
             move || {
                 let wait = Arc::clone(&wait);
-                Box::new(move |d, _| {
+                Box::new(move |order, _, _| {
                     wait.lock().unwrap().recv().unwrap();
-                    Ok(derived(d))
+                    Ok(derived(&order.document))
                 })
             },
             || {},
         );
-        worker.post(document("first"));
+        worker.post(order("first"));
         while worker.shared.lock().running.is_none() {
             std::thread::yield_now();
         }
-        worker.post(document("second"));
-        worker.post(document("third"));
+        worker.post(order("second"));
+        worker.post(order("third"));
         gate.send(()).unwrap();
         gate.send(()).unwrap();
         let names: Vec<String> = [next(&worker), next(&worker)]
@@ -224,14 +253,44 @@ mod tests {
     }
 
     #[test]
-    fn a_panic_becomes_an_outcome_and_the_thread_goes_on() {
+    fn a_document_that_was_shown_in_part_gives_way_at_once() {
         let worker = Worker::start(
-            || Box::new(|d, _| if d.name == "bad" { panic!("row 3 has no end") } else { Ok(derived(d)) }),
+            || {
+                Box::new(move |order, cancel, tell| {
+                    if order.document.name == "long" {
+                        tell(Derived { complete: false, ..derived(&order.document) });
+                        while cancel.check().is_ok() {
+                            std::thread::yield_now();
+                        }
+                    }
+                    cancel.check().map(|()| derived(&order.document))
+                })
+            },
             || {},
         );
-        worker.post(document("bad"));
+        worker.post(order("long"));
+        assert!(matches!(next(&worker), Outcome::Done { derived, .. } if !derived.complete));
+        while !worker.shared.lock().running.as_ref().is_some_and(|running| running.told) {
+            std::thread::yield_now();
+        }
+        worker.post(order("next"));
+        assert!(matches!(next(&worker), Outcome::Done { derived, .. } if derived.document.name == "next"));
+    }
+
+    #[test]
+    fn a_panic_becomes_an_outcome_and_the_thread_goes_on() {
+        let worker = Worker::start(
+            || {
+                Box::new(|order, _, _| match order.document.name.as_str() {
+                    "bad" => panic!("row 3 has no end"),
+                    _ => Ok(derived(&order.document)),
+                })
+            },
+            || {},
+        );
+        worker.post(order("bad"));
         assert!(matches!(next(&worker), Outcome::Fault { message, .. } if message == "row 3 has no end"));
-        worker.post(document("good"));
+        worker.post(order("good"));
         assert!(matches!(next(&worker), Outcome::Done { derived, .. } if derived.document.name == "good"));
     }
 }

@@ -204,7 +204,8 @@ impl Desk {
         let Some(session) = &self.session else { return };
         match (session.outdated(), session.derived()) {
             (None, Some(derived)) => {
-                self.files.write_papers(path, kind, Arc::clone(derived), Arc::clone(&self.catalog));
+                let shown = derived.shown(session.selection.setup);
+                self.files.write_papers(path, kind, shown, Arc::clone(&self.catalog));
             }
             (reason, _) => {
                 let reason = reason.unwrap_or("There is nothing to draw yet.");

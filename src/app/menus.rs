@@ -236,6 +236,7 @@ fn what(ui: &mut Ui, session: &Session, colors: &Colors) {
 }
 
 fn verdict(ui: &mut Ui, session: &Session, colors: &Colors, requests: &mut Requests) {
+    let rolls = session.rolls_proved().map(|(proved, all)| format!("{proved} of {all} rolls"));
     let (text, color, ground) = match session.verdict() {
         Verdict::Pending => ("Proving…".to_owned(), colors.plot.quiet, colors.inset),
         Verdict::NoProgram => ("No program".to_owned(), colors.plot.quiet, colors.inset),
@@ -246,6 +247,7 @@ fn verdict(ui: &mut Ui, session: &Session, colors: &Colors, requests: &mut Reque
         Verdict::Failed { errors: 1 } => ("✗ 1 error".to_owned(), colors.plot.wrong, colors.wrong_ground),
         Verdict::Failed { errors } => (format!("✗ {errors} errors"), colors.plot.wrong, colors.wrong_ground),
     };
+    let text = rolls.map_or_else(|| text.clone(), |rolls| format!("{text} · {rolls}"));
     if chip(ui, RichText::new(text).color(color), ground).on_hover_text("Show what the proof says").clicked() {
         requests.actions.push(Action::ShowPane(Pane::Problems));
     }

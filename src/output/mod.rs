@@ -4,6 +4,7 @@ mod contour;
 mod report;
 mod setup;
 
+use crate::post::Program;
 use crate::proof;
 use crate::regen::{self, Derived, SetupDerived};
 use serde_json::Value;
@@ -31,14 +32,21 @@ pub fn has_errors(derived: &Derived) -> bool {
     crate::diagnostic::has_errors(&derived.diagnostics) || derived.setups.iter().any(|s| !s.proof.passed)
 }
 
+/// File name of a program. Those of form-rolls are called as the published ones: `NC1470b-2T.nc`.
+fn program_file(derived: &Derived, program: &Program) -> String {
+    let before = if derived.rolls.is_some() { "NC" } else { "" };
+    format!("{before}{}.{}", program.name, program.extension)
+}
+
 fn setup_files(derived: &Derived, item: &SetupDerived) -> Vec<OutputFile> {
     let named =
         |ending: &str, value: &Value| OutputFile { name: format!("{}.{ending}", item.name), text: pretty(value) };
     let side = item.post.side_files.iter().map(|f| OutputFile { name: f.name.clone(), text: f.text.clone() });
-    let programs = item.programs.iter().zip(&item.post.programs).map(|(text, program)| OutputFile {
-        name: format!("{}.{}", program.name, program.extension),
-        text: text.text.clone(),
-    });
+    let programs = item
+        .programs
+        .iter()
+        .zip(&item.post.programs)
+        .map(|(text, program)| OutputFile { name: program_file(derived, program), text: text.text.clone() });
     let mut files: Vec<OutputFile> = side.chain(programs).collect();
     files.push(named("contour.json", &contour::contour(item)));
     files.push(named("setup.json", &setup::setup(derived, item)));

@@ -10,16 +10,16 @@ pub(super) fn report(derived: &Derived) -> Value {
         "unit": derived.document.unit,
         "machine": derived.machine.as_deref().map(|m| &m.id),
         "good": !super::has_errors(derived),
-        "items": derived.setups.iter().map(item).collect::<Vec<_>>(),
+        "items": derived.setups.iter().map(|s| item(derived, s)).collect::<Vec<_>>(),
         "diagnostics": derived.diagnostics,
     })
 }
 
-fn item(item: &SetupDerived) -> Value {
+fn item(derived: &Derived, item: &SetupDerived) -> Value {
     let programs = item.programs.iter().zip(&item.post.programs).map(|(text, program)| {
         json!({
             "name": program.name,
-            "file": format!("{}.{}", program.name, program.extension),
+            "file": super::program_file(derived, program),
             "blocks": program.blocks.len(),
             "edited_by_hand": text.edited,
         })

@@ -26,11 +26,15 @@ impl PaperKind {
         }
     }
 
-    /// The pages for `derived`, whose machine and tools are in `catalog`.
+    /// The pages for `derived`, of a set those of every roll, whose machine and tools are in `catalog`.
     ///
     /// # Errors
     /// As [`drawing`]; a setup sheet needs a clamping, so the machine must exist.
     pub fn pages(self, derived: &Derived, catalog: &Catalog) -> Result<Vec<Page>, Diagnostic> {
+        if let Some(set) = &derived.rolls {
+            let pages = set.rolls.iter().map(|roll| self.pages(&roll.derived, catalog));
+            return Ok(pages.collect::<Result<Vec<_>, _>>()?.concat());
+        }
         match self {
             Self::Drawing(choice) => drawing(derived, choice),
             Self::SetupSheet if derived.setups.is_empty() => {

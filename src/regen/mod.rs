@@ -12,7 +12,7 @@ mod turned_part;
 
 use crate::cancel::{Cancel, Cancelled};
 use crate::diagnostic::Diagnostic;
-use crate::document::{Content, Document, TurnedPart};
+use crate::document::{Content, Document, RollRef, TurnedPart};
 use crate::machine::{Catalog, Machine, Material, ToolOutline};
 use crate::part::{PartContour, Setup, UnreachableArea};
 use crate::post::PostOutput;
@@ -43,6 +43,8 @@ pub struct Derived {
     pub diagnostics: Vec<Diagnostic>,
     /// What follows from a set of form-rolls before its rolls are turned.
     pub rolls: Option<Arc<RollSetDerived>>,
+    /// False while rolls of a set are still as they were before the last edit.
+    pub complete: bool,
     /// What follows from a shell.
     pub shell: Option<Arc<ShellDerived>>,
 }
@@ -87,9 +89,31 @@ pub fn regenerate(
     cache: &mut Cache,
     cancel: &Cancel,
 ) -> Result<Derived, Cancelled> {
+    regenerate_in_steps(document, catalog, cache, cancel, Steps { first: None, tell: &mut |_| {} })
+}
+
+/// What is wanted early of a document that takes long.
+pub struct Steps<'a> {
+    /// The roll of a set to be made before the others.
+    pub first: Option<RollRef>,
+    /// Called with what there is before everything is made; not [`Derived::complete`] then.
+    pub tell: &'a mut dyn FnMut(Derived),
+}
+
+/// As [`regenerate`], telling what there is before all of it is made.
+///
+/// # Errors
+/// [`Cancelled`] once `cancel` was called; the cache stays usable.
+pub fn regenerate_in_steps(
+    document: &Arc<Document>,
+    catalog: &Catalog,
+    cache: &mut Cache,
+    cancel: &Cancel,
+    steps: Steps<'_>,
+) -> Result<Derived, Cancelled> {
     match &document.content {
         Content::TurnedPart(part) => turned_part::regenerate(document, part, catalog, &mut cache.part, cancel),
-        Content::RollSet(set) => roll_set::regenerate(document, set, catalog, &mut cache.rolls, cancel),
+        Content::RollSet(set) => roll_set::regenerate(document, set, catalog, &mut cache.rolls, cancel, steps),
         Content::Shell(shell) => shell::regenerate(document, shell, catalog, &mut cache.shell, cancel),
     }
 }
@@ -104,14 +128,32 @@ impl Derived {
             setups: Vec::new(),
             diagnostics,
             rolls: None,
+            complete: true,
             shell: None,
         }
+    }
+
+    /// As [`Self::of_setup`], shared.
+    #[must_use]
+    pub fn shown(self: &Arc<Self>, index: usize) -> Arc<Self> {
+        let roll = self.rolls.as_ref().and_then(|rolls| rolls.of_setup(index));
+        Arc::clone(roll.map_or(self, |roll| &roll.derived))
     }
 
     /// What follows from the one part that the clamping with this index belongs to: of a set, its roll as a document of its own.
     #[must_use]
     pub fn of_setup(&self, index: usize) -> &Self {
         self.rolls.as_ref().and_then(|rolls| rolls.of_setup(index)).map_or(self, |roll| &roll.derived)
+    }
+}
+
+/// Adds what is not there yet: two stages may see the same mistake.
+fn add_new(all: &mut Vec<Diagnostic>, more: &[Diagnostic]) {
+    for diagnostic in more {
+        let known = all.iter().any(|d| d.code == diagnostic.code && d.at == diagnostic.at);
+        if !known {
+            all.push(diagnostic.clone());
+        }
     }
 }
 

@@ -1,10 +1,14 @@
-//! A set of form-rolls: every roll is turned like any part, each with stages of its own.
+//! A set of form-rolls: every roll is turned like any part, each with stages of its own, the one on screen first.
 
-use super::Derived;
 use super::cache::PartCache;
+use super::{Derived, Stage, Steps, add_new, file_stem, turned_part};
 use crate::cancel::{Cancel, Cancelled};
-use crate::document::{Document, RollRef, RollSet};
+use crate::diagnostic::{Diagnostic, Place, has_errors};
+use crate::document::{Content, Document, FORMAT_VERSION, RollRef, RollSet};
 use crate::machine::Catalog;
+use crate::rollform::{self, Roll, RollDesign};
+use crate::units::Unit;
+use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
@@ -12,7 +16,9 @@ use std::sync::Arc;
 /// Everything that follows from a set of form-rolls.
 #[derive(Debug, Clone, Default)]
 pub struct RollSetDerived {
-    /// The rolls, station by station.
+    /// Strip and rolls of every station, mm.
+    pub design: Arc<RollDesign>,
+    /// The rolls, station by station, as far as they can be turned.
     pub rolls: Vec<RollDerived>,
 }
 
@@ -21,10 +27,26 @@ pub struct RollSetDerived {
 pub struct RollDerived {
     /// Which roll.
     pub roll: RollRef,
+    /// Its name: `1470b-2T`.
+    pub name: String,
     /// What follows from it as a document of its own.
     pub derived: Arc<Derived>,
     /// Its clampings among those of the set.
     pub setups: Range<usize>,
+    /// True if it is the roll as it is designed now, not as it was before the last edit.
+    pub current: bool,
+}
+
+impl RollDerived {
+    /// True if the programs of the roll as it is designed now passed their proofs.
+    #[must_use]
+    pub fn is_proved(&self) -> bool {
+        let derived = &self.derived;
+        self.current
+            && !has_errors(&derived.diagnostics)
+            && derived.setups.iter().any(|s| !s.programs.is_empty())
+            && derived.setups.iter().all(|s| s.proof.passed)
+    }
 }
 
 impl RollSetDerived {
@@ -33,29 +55,147 @@ impl RollSetDerived {
     pub fn of_setup(&self, index: usize) -> Option<&RollDerived> {
         self.rolls.iter().find(|roll| roll.setups.contains(&index))
     }
+
+    /// What follows from a roll.
+    #[must_use]
+    pub fn of_roll(&self, roll: RollRef) -> Option<&RollDerived> {
+        self.rolls.iter().find(|r| r.roll == roll)
+    }
 }
+
+/// What a roll is turned from: its name, the set's unit and the part in that unit.
+type RollInput = (String, Unit, crate::document::TurnedPart);
 
 /// The stages of a set.
 #[derive(Debug, Default)]
 pub(super) struct RollSetCache {
-    rolls: BTreeMap<RollRef, PartCache>,
+    design: Stage<(String, RollSet), RollDesign>,
+    rolls: BTreeMap<RollRef, RollCache>,
+}
+
+/// The stages of one roll, and what came of them last.
+#[derive(Debug, Default)]
+struct RollCache {
+    document: Stage<RollInput, Document>,
+    part: PartCache,
+    last: Option<Arc<Derived>>,
 }
 
 impl RollSetCache {
     /// The stages of every roll.
     pub(super) fn parts(&self) -> impl Iterator<Item = &PartCache> {
-        self.rolls.values()
+        self.rolls.values().map(|roll| &roll.part)
     }
 }
 
-/// Makes everything that follows from `set`, which is the content of `document`.
+/// Makes everything that follows from `set`, which is the content of `document`. What can be shown before all rolls are made
+/// is told: the design, then the first roll of `steps`.
 pub(super) fn regenerate(
     document: &Arc<Document>,
-    _set: &RollSet,
-    _catalog: &Catalog,
-    _cache: &mut RollSetCache,
+    set: &RollSet,
+    catalog: &Catalog,
+    cache: &mut RollSetCache,
     cancel: &Cancel,
+    steps: Steps<'_>,
 ) -> Result<Derived, Cancelled> {
+    let Steps { first, tell } = steps;
+    let Some(machine) = catalog.machine(&set.machine).cloned() else {
+        let missing = turned_part::no_such_machine(&set.machine, catalog);
+        return Ok(Derived::only(document, vec![missing]));
+    };
+    let set_mm = set.scaled(document.unit.in_mm());
+    let design = cache.design.get((file_stem(&document.name), set_mm), |(name, set)| rollform::design(name, set));
     cancel.check()?;
-    Ok(Derived { rolls: Some(Arc::default()), ..Derived::only(document, Vec::new()) })
+    let rolls: Vec<&Roll> = design.rolls().collect();
+    cache.rolls.retain(|known, _| rolls.iter().any(|roll| roll.roll == *known));
+    for roll in &rolls {
+        cache.rolls.entry(roll.roll).or_default().take(roll, document.unit);
+    }
+    let whole = Whole { document, design: &design, machine: Arc::new(machine) };
+    let mut waiting: Vec<&mut RollCache> = cache.rolls.values_mut().filter(|roll| !roll.is_current()).collect();
+    if !waiting.is_empty() {
+        drop(waiting);
+        tell(whole.derived(&cache.rolls, false));
+        if let Some(roll) = first.and_then(|first| cache.rolls.get_mut(&first))
+            && !roll.is_current()
+        {
+            roll.make(catalog, cancel)?;
+            tell(whole.derived(&cache.rolls, false));
+        }
+        waiting = cache.rolls.values_mut().filter(|roll| !roll.is_current()).collect();
+        waiting.par_iter_mut().try_for_each(|roll| roll.make(catalog, cancel))?;
+    }
+    Ok(whole.derived(&cache.rolls, true))
+}
+
+impl RollCache {
+    /// Takes over the roll as it is designed now.
+    fn take(&mut self, roll: &Roll, unit: Unit) {
+        let input = (roll.name.clone(), unit, roll.part.scaled(1.0 / unit.in_mm()));
+        self.document.get(input, |(name, unit, part)| Document {
+            turnwright: FORMAT_VERSION,
+            name: name.clone(),
+            unit: *unit,
+            content: Content::TurnedPart(part.clone()),
+        });
+    }
+
+    /// True if `last` was made from the roll as it is designed now.
+    fn is_current(&self) -> bool {
+        self.document.output().zip(self.last.as_ref()).is_some_and(|(now, last)| Arc::ptr_eq(now, &last.document))
+    }
+
+    fn make(&mut self, catalog: &Catalog, cancel: &Cancel) -> Result<(), Cancelled> {
+        let Some(document) = self.document.output() else { return Ok(()) };
+        let Content::TurnedPart(part) = &document.content else { return Ok(()) };
+        let made = turned_part::regenerate(document, part, catalog, &mut self.part, cancel)?;
+        self.last = Some(Arc::new(made));
+        Ok(())
+    }
+}
+
+/// What the results of all rolls are put together from.
+struct Whole<'a> {
+    document: &'a Arc<Document>,
+    design: &'a Arc<RollDesign>,
+    machine: Arc<crate::machine::Machine>,
+}
+
+impl Whole<'_> {
+    /// All that there is by now; `complete` if every roll is as it is designed.
+    fn derived(&self, made: &BTreeMap<RollRef, RollCache>, complete: bool) -> Derived {
+        let mut diagnostics = self.design.diagnostics.clone();
+        let (mut setups, mut rolls) = (Vec::new(), Vec::new());
+        for roll in self.design.rolls() {
+            add_new(&mut diagnostics, &roll.diagnostics);
+            let Some(of_roll) = made.get(&roll.roll) else { continue };
+            let Some(derived) = &of_roll.last else { continue };
+            let first = setups.len();
+            setups.extend(derived.setups.iter().cloned());
+            diagnostics.extend(derived.diagnostics.iter().map(|said| of_the_roll(&roll.name, said)));
+            rolls.push(RollDerived {
+                roll: roll.roll,
+                name: roll.name.clone(),
+                derived: Arc::clone(derived),
+                setups: first..setups.len(),
+                current: of_roll.is_current(),
+            });
+        }
+        let material = rolls.iter().find_map(|roll| roll.derived.material.clone());
+        let rolls = Some(Arc::new(RollSetDerived { design: Arc::clone(self.design), rolls }));
+        let machine = Some(Arc::clone(&self.machine));
+        Derived { machine, material, setups, rolls, complete, ..Derived::only(self.document, diagnostics) }
+    }
+}
+
+/// A message about the part that a roll is turned as, as one about the roll.
+fn of_the_roll(name: &str, said: &Diagnostic) -> Diagnostic {
+    match &said.at {
+        Place::Block { .. } | Place::Machine { .. } | Place::Tool { .. } => said.clone(),
+        of_part => Diagnostic {
+            at: Place::Roll { name: name.to_owned() },
+            related: std::iter::once(of_part.clone()).chain(said.related.iter().cloned()).collect(),
+            ..said.clone()
+        },
+    }
 }

@@ -47,6 +47,12 @@ impl<I: PartialEq, O: PartialEq> Stage<I, O> {
         }
     }
 
+    /// The last output.
+    #[must_use]
+    pub fn output(&self) -> Option<&Arc<O>> {
+        self.last.as_ref().map(|(_, output)| output)
+    }
+
     /// How often the stage has computed something.
     #[must_use]
     pub const fn runs(&self) -> u64 {

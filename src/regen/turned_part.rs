@@ -1,7 +1,7 @@
 //! A turned part: section table to set-ups, programs and proofs.
 
 use super::cache::{PartCache, ProgramCache, SetupCache, Tools};
-use super::{CONTOUR_TOLERANCE_MM, Derived, SetupDerived, file_stem};
+use super::{CONTOUR_TOLERANCE_MM, Derived, SetupDerived, add_new, file_stem};
 use crate::cancel::{Cancel, Cancelled};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::{Document, Generator, PlanEdits, ProgramChoices, ThreadChoices, TurnedPart};
@@ -297,14 +297,4 @@ fn stray_overrides(part: &TurnedPart, setups: &[SetupDerived]) -> Vec<Diagnostic
             .with_hint("Revert it, or rename the part back.")
         })
         .collect()
-}
-
-/// Adds what is not there yet: two stages may see the same mistake.
-fn add_new(all: &mut Vec<Diagnostic>, more: &[Diagnostic]) {
-    for diagnostic in more {
-        let known = all.iter().any(|d| d.code == diagnostic.code && d.at == diagnostic.at);
-        if !known {
-            all.push(diagnostic.clone());
-        }
-    }
 }

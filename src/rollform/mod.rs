@@ -4,8 +4,10 @@
 //! Strip space: `z` across the line, to the right; `r` the height. Seen along the line, upwards is positive.
 
 pub mod bends;
+pub mod design;
 pub mod developed;
 pub mod properties;
 
 #[cfg(test)]
 pub(crate) mod fixtures;
+pub use design::{Roll, RollDesign, StationDesign, design};

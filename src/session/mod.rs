@@ -10,7 +10,7 @@ use crate::document::{Document, RollRef, TurnedPart};
 use crate::machine::Dialect;
 use crate::proof::{FindingKind, ProgramText, ProofReport};
 use crate::regen::{Derived, Operations, SetupDerived};
-use crate::worker::{Outcome, Regenerate, Worker};
+use crate::worker::{Order, Outcome, Regenerate, Worker};
 pub use history::{GestureId, History};
 use light::Light;
 pub use light::{Hovered, Lit};
@@ -33,6 +33,8 @@ pub struct Selection {
     pub block: Option<usize>,
     /// Operation of the clamping shown, by index in its path.
     pub operation: Option<usize>,
+    /// Roll of a set.
+    pub roll: Option<RollRef>,
     /// Element of a cross-section, by id.
     pub element: Option<u32>,
     /// Station of a roll-forming line, by id.
@@ -121,7 +123,7 @@ impl Session {
     ) -> Self {
         let document = Arc::new(document);
         let worker = Worker::start(make, notify);
-        worker.post(Arc::clone(&document));
+        worker.post(Order { document: Arc::clone(&document), shown: None });
         Self {
             saved: matches!(origin, Origin::File(_)).then(|| Arc::clone(&document)),
             recovered: matches!(origin, Origin::Recovered(_)),
@@ -150,7 +152,11 @@ impl Session {
         self.worker = Worker::start(make, notify);
         // Another one of equal content: what followed from the old data is out of date.
         self.document = Arc::new((*self.document).clone());
-        self.worker.post(Arc::clone(&self.document));
+        self.post();
+    }
+
+    fn post(&self) {
+        self.worker.post(Order { document: Arc::clone(&self.document), shown: self.roll() });
     }
 
     /// The document as it is now.
@@ -171,7 +177,17 @@ impl Session {
     #[must_use]
     pub fn roll(&self) -> Option<RollRef> {
         let rolls = self.derived.as_ref()?.rolls.as_ref()?;
-        rolls.of_setup(self.selection.setup).map(|roll| roll.roll)
+        self.selection.roll.or_else(|| rolls.of_setup(self.selection.setup).map(|roll| roll.roll))
+    }
+
+    /// Shows another roll of a set, with its station.
+    pub fn select_roll(&mut self, roll: RollRef) {
+        self.selection.roll = Some(roll);
+        self.selection.station = Some(roll.station);
+        self.selection.program = 0;
+        self.selection.block = None;
+        self.selection.operation = None;
+        self.keep_selection_in_range();
     }
 
     /// A gesture that no edit has used yet.
@@ -281,7 +297,7 @@ impl Session {
 
     fn changed(&mut self) {
         self.edited_at.get_or_insert_with(Instant::now);
-        self.worker.post(Arc::clone(&self.document));
+        self.post();
         if self.selection.section.is_some_and(|id| self.part().row(id).is_none()) {
             self.selection.section = None;
         }
@@ -312,7 +328,12 @@ impl Session {
 
     fn keep_selection_in_range(&mut self) {
         let Some(derived) = &self.derived else { return };
-        self.selection.setup = self.selection.setup.min(derived.setups.len().saturating_sub(1));
+        let last = derived.setups.len().saturating_sub(1);
+        self.selection.setup = match (&derived.rolls, self.selection.roll) {
+            // A roll that cannot be turned has no clamping to show.
+            (Some(rolls), Some(roll)) => rolls.of_roll(roll).map_or(derived.setups.len(), |roll| roll.setups.start),
+            _ => self.selection.setup.min(last),
+        };
         let programs = derived.setups.get(self.selection.setup).map_or(0, |s| s.programs.len());
         self.selection.program = self.selection.program.min(programs.saturating_sub(1));
         let made = derived.setups.get(self.selection.setup).map_or(0, |s| s.path.operations.len());
@@ -374,14 +395,21 @@ impl Session {
         let Some(derived) = &self.derived else { return };
         for (setup, of_setup) in derived.setups.iter().enumerate() {
             if let Some(index) = of_setup.programs.iter().position(|p| p.name == program) {
-                self.selection = Selection { setup, program: index, block: Some(block), ..self.selection };
+                let roll = derived.rolls.as_ref().and_then(|rolls| rolls.of_setup(setup)).map(|roll| roll.roll);
+                self.selection = Selection { setup, roll, program: index, block: Some(block), ..self.selection };
             }
         }
     }
 
-    /// True if [`Self::derived`] belongs to the document as it is now.
+    /// True if [`Self::derived`] belongs to the document as it is now, and is all of it.
     #[must_use]
     pub fn is_current(&self) -> bool {
+        self.is_designed() && self.derived.as_ref().is_some_and(|d| d.complete)
+    }
+
+    /// True if [`Self::derived`] belongs to the document as it is now, though rolls may still be in the making.
+    #[must_use]
+    pub fn is_designed(&self) -> bool {
         self.derived.as_ref().is_some_and(|d| Arc::ptr_eq(&d.document, &self.document))
     }
 
@@ -420,17 +448,33 @@ impl Session {
         self.problems.count(severity)
     }
 
-    /// What the proofs say of the document as it is now.
+    /// How many rolls of a set are proved, and how many there are; `None` for other documents.
+    #[must_use]
+    pub fn rolls_proved(&self) -> Option<(usize, usize)> {
+        let set = self.derived.as_ref()?.rolls.as_ref()?;
+        let proved = set.rolls.iter().filter(|roll| roll.is_proved()).count();
+        Some((proved, set.design.rolls().count()))
+    }
+
+    /// What the proofs say of the document as it is now; of a set, of the roll that is shown.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         let (Some(derived), true) = (&self.derived, self.is_current()) else {
             return if self.fault.is_some() { Verdict::Failed { errors: 1 } } else { Verdict::Pending };
         };
-        let errors = self.problem_count(Severity::Error);
+        let shown = match &derived.rolls {
+            Some(_) => derived.of_setup(self.selection.setup),
+            None => derived.as_ref(),
+        };
+        let errors = match &derived.rolls {
+            // The other rolls of a set do not keep this one from the lathe.
+            Some(_) => Problems::collect(None, Some(shown)).count(Severity::Error),
+            None => self.problem_count(Severity::Error),
+        };
         if errors > 0 {
             return Verdict::Failed { errors };
         }
-        let proofs = || derived.setups.iter().map(|s| s.proof.as_ref());
+        let proofs = || shown.setups.iter().map(|s| s.proof.as_ref());
         let blocks = proofs().map(|p| p.blocks.len()).sum();
         if blocks == 0 {
             return Verdict::NoProgram;
