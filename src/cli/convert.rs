@@ -11,8 +11,8 @@ use turnwright::storage;
 /// Convert between file formats by the files' extensions.
 #[derive(Debug, Args)]
 pub(crate) struct Convert {
-    /// Document (.turn), ORACAP part (.cad), DXF profile, TSV section table, roll profile in E layout (.txt), or ORAC
-    /// program (.cnc, .anc, .bnc).
+    /// Document (.turn), ORACAP part (.cad), DXF profile, TSV section table, roll profile in E layout (.txt), published
+    /// input of a finished section (.json), or ORAC program (.cnc, .anc, .bnc).
     input: PathBuf,
     /// .turn, .cad (with .SIZ and .END), .dxf, .svg, .csv or .tsv; of a program .cnc or .bnc.
     output: PathBuf,
@@ -22,6 +22,9 @@ pub(crate) struct Convert {
     /// Cutting instructions for the published form-roll cycles (CU data, .json); their element numbers are row numbers.
     #[arg(long, value_name = "FILE")]
     instructions: Option<PathBuf>,
+    /// Published input of the flower (.json) for a set of form-rolls.
+    #[arg(long, value_name = "FILE")]
+    flower: Option<PathBuf>,
 }
 
 pub(super) fn run(args: &Convert) -> Outcome {
@@ -31,8 +34,12 @@ pub(super) fn run(args: &Convert) -> Outcome {
     }
     let catalog = catalog();
     let document = build::open(&args.input, args.machine.as_deref(), &catalog)?;
+    let document = match &args.flower {
+        Some(file) => with_more(&document, file, storage::import::with_flower)?,
+        None => document,
+    };
     let document = match &args.instructions {
-        Some(file) => instructed(&document, file)?,
+        Some(file) => with_more(&document, file, storage::import::with_instructions)?,
         None => document,
     };
     let diagnostics = storage::export::any(&document, &catalog, &args.output)?;
@@ -40,9 +47,12 @@ pub(super) fn run(args: &Convert) -> Outcome {
     Ok(if has_errors(&diagnostics) { Ending::FoundErrors } else { Ending::Good })
 }
 
-/// The document with the cutting instructions of a CU file.
-fn instructed(document: &Document, file: &Path) -> Result<Arc<Document>, Vec<Diagnostic>> {
-    let (document, diagnostics) = storage::import::with_instructions(document.clone(), file)?;
+/// Reads a file that adds to a document.
+type Addition = fn(Document, &Path) -> Result<(Document, Vec<Diagnostic>), Vec<Diagnostic>>;
+
+/// The document with what another file adds to it.
+fn with_more(document: &Document, file: &Path, add: Addition) -> Result<Arc<Document>, Vec<Diagnostic>> {
+    let (document, diagnostics) = add(document.clone(), file)?;
     complain(&diagnostics);
     Ok(Arc::new(document))
 }

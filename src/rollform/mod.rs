@@ -7,6 +7,7 @@ pub mod bends;
 pub mod design;
 pub mod developed;
 pub mod properties;
+pub mod springback;
 
 #[cfg(test)]
 pub(crate) mod fixtures;

@@ -42,7 +42,8 @@ pub(super) fn faults(document: &Document) -> Vec<Fault> {
     }
     match &document.content {
         Content::TurnedPart(part) => part_faults(part, &mut faults),
-        Content::RollSet(_) | Content::Shell(_) => {}
+        Content::RollSet(set) => super::roll_set_check::faults(set, &mut faults),
+        Content::Shell(_) => {}
     }
     faults
 }

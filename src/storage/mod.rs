@@ -9,6 +9,7 @@ pub mod import;
 mod locate;
 mod program;
 pub mod recovery;
+mod roll_set_check;
 
 pub use crate::replace::replace_file;
 pub use document::{document_from_text, document_to_text, open_document, save_document};

@@ -95,18 +95,45 @@ pub enum DevelopedWidth {
 
 /// One element of a cross-section.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(from = "ElementRow", into = "ElementRow")]
 pub struct Element {
     /// Stable id, unique over both lists.
     pub id: u32,
     /// Line or bend.
-    #[serde(flatten)]
     pub kind: ElementKind,
 }
 
+/// An element as it stands in a file, id and kind as one.
+#[derive(Serialize, Deserialize)]
+#[serde(tag = "type", rename_all = "snake_case", deny_unknown_fields)]
+enum ElementRow {
+    Line { id: u32, length: f64 },
+    Bend { id: u32, inside_radius: f64, angle_deg: f64 },
+}
+
+impl From<ElementRow> for Element {
+    fn from(row: ElementRow) -> Self {
+        match row {
+            ElementRow::Line { id, length } => Self { id, kind: ElementKind::Line { length } },
+            ElementRow::Bend { id, inside_radius, angle_deg } => {
+                Self { id, kind: ElementKind::Bend { inside_radius, angle_deg } }
+            }
+        }
+    }
+}
+
+impl From<Element> for ElementRow {
+    fn from(element: Element) -> Self {
+        let id = element.id;
+        match element.kind {
+            ElementKind::Line { length } => Self::Line { id, length },
+            ElementKind::Bend { inside_radius, angle_deg } => Self::Bend { id, inside_radius, angle_deg },
+        }
+    }
+}
+
 /// Line or bend.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "type", rename_all = "snake_case")]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ElementKind {
     /// A straight piece.
     Line {

@@ -1,7 +1,7 @@
 //! Opening any file that holds a part.
 
 use super::roll::is_roll;
-use super::{CadTexts, Imported, cad, dxf, instructions, name_of, roll, tsv};
+use super::{CadTexts, Imported, cad, dxf, instructions, name_of, roll, roll_flower, roll_section, tsv};
 use crate::diagnostic::Diagnostic;
 use crate::document::Document;
 use crate::part::Section;
@@ -21,11 +21,12 @@ enum Kind {
     Dxf,
     Table,
     Roll,
+    RollSection,
 }
 
 /// Opens a document (`.turn`) or imports an ORACAP part (`.CAD`, with `.SIZ` and `.END` beside it), a profile (`.dxf`),
-/// a section table (`.tsv`, in mm, with that of a bore as `NAME.bore.tsv` beside it) or the profile of a form-roll
-/// (`.txt`, in E layout). The kind goes by the extension, or by the content where there is none that is known. A file
+/// a section table (`.tsv`, in mm, with that of a bore as `NAME.bore.tsv` beside it), the profile of a form-roll (`.txt`,
+/// in E layout) or the published input of a finished section (`.json`). The kind goes by the extension, or by the content where there is none that is known. A file
 /// that names no machine gets `default_machine`, a form-roll the lathe of the published ones.
 ///
 /// Returns the document and what there is to say about it.
@@ -49,7 +50,20 @@ pub fn any(path: &Path, default_machine: &str) -> Result<(Document, Vec<Diagnost
             let text = textfile::read(path, MOST_BYTES).map_err(|d| vec![d])?;
             roll(&path.display().to_string(), &text)
         }
+        Kind::RollSection => {
+            let text = textfile::read(path, MOST_BYTES).map_err(|d| vec![d])?;
+            roll_section(&path.display().to_string(), &text)
+        }
     }
+}
+
+/// Gives a set of form-rolls the stations and angles of a published flower (`.json`).
+///
+/// # Errors
+/// Diagnostics with file, line, field, value and limit if the file cannot be used.
+pub fn with_flower(document: Document, path: &Path) -> Result<(Document, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let text = textfile::read(path, MOST_BYTES).map_err(|d| vec![d])?;
+    roll_flower(&path.display().to_string(), &text, document)
 }
 
 /// Gives a document the cutting instructions of a CU file (`.json`) for the published form-roll cycles.
@@ -68,6 +82,7 @@ fn kind_by_extension(path: &Path) -> Option<Kind> {
         "dxf" => Some(Kind::Dxf),
         "tsv" => Some(Kind::Table),
         "txt" => Some(Kind::Roll),
+        "json" => Some(Kind::RollSection),
         _ => None,
     }
 }
