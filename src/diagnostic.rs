@@ -68,7 +68,7 @@ pub enum Place {
     },
     /// A form-roll.
     Roll {
-        /// Its name, station and letter: `2T`.
+        /// Its name: `1470b-2T`.
         name: String,
     },
     /// A block of a program. On the ORAC a block is a page.

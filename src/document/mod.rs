@@ -15,9 +15,10 @@ pub use cycles::{CutIn, Cycle, Instruction};
 pub use operations::{OperationEdit, OperationKind, OperationRef, PlanEdits};
 pub use program::ProgramChoices;
 pub use roll_set::{
-    BendAngle, Composite, CrossSection, DevelopedWidth, DriveSurface, Element, ElementKind, ExtensionContour,
-    ExtensionKind, Face, FixedComposite, FormingLine, Opening, Origin, Pinch, RollKind, RollRef, RollSet, RollWork,
-    Sharpening, SideEnd, SideRoll, Station, StripMaterial,
+    BendAngle, Composite, CrossSection, DevelopedWidth, DriveSurface, EditAction, Element, ElementKind, ElementName,
+    ExtensionContour, ExtensionKind, Face, FixedComposite, FormingLine, NewElement, Opening, Origin, PieceKind, Pinch,
+    RollCopy, RollEdit, RollKind, RollPoint, RollRef, RollSet, RollWork, Sharpening, Side, SideEnd, SideRoll, Station,
+    StripMaterial, TangentSide,
 };
 use row::{EndsRow, ParabolaCutRow};
 use serde::{Deserialize, Serialize};

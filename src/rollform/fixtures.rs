@@ -104,3 +104,33 @@ pub(crate) fn published() -> RollSet {
     ];
     set(0.5, Origin::Symmetrical, elements, stations)
 }
+
+/// The published roll design of section 1470b (Wong 1983, Fig. 5.8).
+pub(crate) fn published_rolls() -> RollSet {
+    use crate::document::{DriveSurface, ExtensionContour, ExtensionKind, Face, SideEnd, SideRoll};
+    let mut set = published();
+    let figures = [(71.755, 128.143, 0.5, 0.56, 9), (74.295, 130.683, 0.5, 0.61, 7), (76.2, 132.296, 0.53, 0.56, 5)];
+    for (station, (pass_height, centre_distance, drive, clearance, last)) in set.stations.iter_mut().zip(figures) {
+        station.pass_height = pass_height;
+        station.centre_distance = centre_distance;
+        station.tolerance_left = 0.149;
+        station.tolerance_right = 0.15;
+        station.pinch = Pinch::Gaps { drive, clearance };
+        station.drive_right = Some(DriveSurface { first: 1, last });
+    }
+    let contour = |kind, lengths| ExtensionContour { kind, lengths };
+    if let [first, second, third] = set.stations.as_mut_slice() {
+        first.extension_right = vec![contour(ExtensionKind::SpigotA, [8.0, 0.0, 8.0, 13.0])];
+        second.extension_right = vec![contour(ExtensionKind::SpigotA, [8.0, 13.0, 8.0, 13.0])];
+        third.side_right = Some(SideRoll {
+            axis_distance: 115.0,
+            from: SideEnd { element: 6, face: Face::Top },
+            to: SideEnd { element: 21, face: Face::Top },
+            extensions: vec![
+                contour(ExtensionKind::SideRoll, [0.0, 0.0, 12.0, 9.0]),
+                contour(ExtensionKind::SideRoll, [0.0, 6.0, 13.5, 7.5]),
+            ],
+        });
+    }
+    set
+}

@@ -6,9 +6,14 @@
 pub mod bends;
 pub mod design;
 pub mod developed;
+pub mod editor;
+pub mod part;
 pub mod properties;
+pub mod roll;
 pub mod springback;
+pub mod strip;
 
 #[cfg(test)]
 pub(crate) mod fixtures;
+
 pub use design::{Roll, RollDesign, StationDesign, design};

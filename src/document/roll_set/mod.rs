@@ -1,13 +1,15 @@
 //! A set of form-rolls: the cross-section of the finished strip, its way through the stations, and what is decided about
 //! single rolls. Lengths are in the unit of the document, angles in degrees.
 
+mod edit;
 mod roll;
 mod section;
 mod station;
 
 use serde::{Deserialize, Serialize};
 
-pub use roll::{RollKind, RollRef, RollWork};
+pub use edit::{EditAction, ElementName, NewElement, PieceKind, RollEdit, RollPoint, Side, TangentSide};
+pub use roll::{RollCopy, RollKind, RollRef, RollWork};
 pub use section::{CrossSection, DevelopedWidth, Element, ElementKind, Origin, StripMaterial};
 pub use station::{
     BendAngle, Composite, DriveSurface, ExtensionContour, ExtensionKind, Face, FixedComposite, FormingLine, Opening,

@@ -1,5 +1,6 @@
 //! Single rolls of a set: which there are, and what is decided about them.
 
+use super::RollEdit;
 use crate::document::{Generator, PlanEdits, ProgramChoices};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -55,12 +56,29 @@ impl RollKind {
     }
 }
 
+/// A roll used again.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RollCopy {
+    /// The roll whose contour is taken.
+    pub roll: RollRef,
+    /// Turned round on its shaft: left and right exchanged.
+    #[serde(default, skip_serializing_if = "crate::document::is_default")]
+    pub mirrored: bool,
+}
+
 /// What is decided about a roll beyond its design.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RollWork {
     /// The roll.
     pub roll: RollRef,
+    /// Changes of the designed contour, in order.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub edits: Vec<RollEdit>,
+    /// Another roll whose contour it has, edits included, in place of one designed for its station.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub same_as: Option<RollCopy>,
     /// Diameter of the blank; the next standard one when absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub blank_diameter: Option<f64>,
@@ -84,6 +102,8 @@ impl RollWork {
     pub fn of(roll: RollRef) -> Self {
         Self {
             roll,
+            edits: Vec::new(),
+            same_as: None,
             blank_diameter: None,
             generator: None,
             plan: PlanEdits::default(),
@@ -96,6 +116,7 @@ impl RollWork {
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {
         Self {
+            edits: self.edits.iter().map(|e| e.scaled(factor)).collect(),
             blank_diameter: self.blank_diameter.map(|d| d * factor),
             generator: self.generator.as_ref().map(|g| g.scaled(factor)),
             plan: self.plan.scaled(factor),
