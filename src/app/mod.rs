@@ -16,6 +16,7 @@ mod problems;
 mod program;
 mod rolls;
 mod sections;
+mod sheet;
 mod shell;
 mod shortcuts;
 mod start;

@@ -1,18 +1,202 @@
-//! Elements.
+//! Elements of the cross-section as a table, and what the strip is.
 
 use super::RollsViews;
 use crate::app::desk::Requests;
-use crate::app::widgets::title_row;
+use crate::app::plots::fixed;
+use crate::app::sheet::{self, Cell, Change, Heading, Sheet, SheetView, Takes};
+use crate::app::widgets::{link, title_row, toggle};
+use crate::document::{CrossSection, Document, Element, ElementKind, RollSet};
+use crate::rollform::developed::element_mm;
 use crate::session::Session;
+use crate::units::{Unit, parse_length};
 use egui::Ui;
+
+/// Room below the table for the data of the strip, points.
+const BELOW: f32 = 178.0;
+/// The table keeps at least this height, points.
+const LEAST: f32 = 120.0;
+/// Length of an element that is added, mm.
+const NEW_LENGTH_MM: f64 = 10.0;
+/// What an element can be.
+const WORDS: [&str; 2] = ["line", "bend"];
+/// Type, length or radius, bend angle, mean length.
+const TYPE: usize = 0;
+const LENGTH: usize = 1;
+const BEND: usize = 2;
+
+/// Table of the elements, and which list it shows.
+#[derive(Debug, Default)]
+pub(super) struct ElementsView {
+    sheet: SheetView,
+    other_side: bool,
+}
 
 /// Shows the panel; true if it is dragged by its title.
 pub(super) fn show(
     ui: &mut Ui,
     titled: bool,
-    _session: &mut Session,
-    _views: &mut RollsViews,
-    _requests: &mut Requests,
+    session: &mut Session,
+    views: &mut RollsViews,
+    requests: &mut Requests,
 ) -> bool {
-    title_row(ui, titled.then_some("Elements"), "", |_| {})
+    let document = std::sync::Arc::clone(session.document());
+    let Some(set) = document.content.roll_set() else { return false };
+    let view = &mut views.elements;
+    view.other_side &= set.section.origin.has_other_side();
+    let count = set.section.all().count();
+    let remark = format!("{count}, {}", super::words::origin(set.section.origin));
+    let mut add = false;
+    let dragged = title_row(ui, titled.then_some("Elements"), &remark, |ui| {
+        add = link(ui, "+ Add").on_hover_text("Add an element at the end (Insert adds one above the cursor)").clicked();
+        if set.section.origin.has_other_side() {
+            toggle(ui, &mut view.other_side, "other side");
+        }
+    });
+    let elements = Elements::new(set, document.unit, view.other_side);
+    if add {
+        let end = elements.rows();
+        session.edit("add an element", None, |document| _ = elements.change(document, &Change::Insert(end)));
+        view.sheet.go_to(end, LENGTH);
+    }
+    let height = (ui.available_height() - BELOW).max(LEAST);
+    sheet::show(ui, &elements, &mut view.sheet, session, requests, height);
+    egui::ScrollArea::vertical().id_salt("strip-data").auto_shrink([false, false]).show(ui, |ui| {
+        ui.add_space(8.0);
+        super::strip_data::show(ui, set, document.unit, session);
+    });
+    dragged
+}
+
+/// One list of elements as a table.
+struct Elements<'a> {
+    set: &'a RollSet,
+    unit: Unit,
+    other_side: bool,
+    headings: [Heading; 4],
+}
+
+impl<'a> Elements<'a> {
+    fn new(set: &'a RollSet, unit: Unit, other_side: bool) -> Self {
+        let headings = [
+            Heading::words("type", 62.0),
+            Heading::figures("length / r", 66.0),
+            Heading::figures("bend °", 58.0),
+            Heading::figures("mean length", 74.0),
+        ];
+        Self { set, unit, other_side, headings }
+    }
+
+    fn list(&self) -> &[Element] {
+        if self.other_side { &self.set.section.other_side } else { &self.set.section.elements }
+    }
+
+    const fn list_of<'d>(&self, section: &'d mut CrossSection) -> &'d mut Vec<Element> {
+        if self.other_side { &mut section.other_side } else { &mut section.elements }
+    }
+
+    /// Mean length in the unit of the document.
+    fn mean_length(&self, kind: &ElementKind) -> f64 {
+        element_mm(kind, self.set.section.thickness, self.set.section.developed_width)
+    }
+}
+
+impl Sheet for Elements<'_> {
+    fn name(&self) -> &'static str {
+        if self.other_side { "Element of the other side" } else { "Element" }
+    }
+
+    fn headings(&self) -> &[Heading] {
+        &self.headings
+    }
+
+    fn rows(&self) -> usize {
+        self.list().len()
+    }
+
+    fn cell(&self, row: usize, column: usize) -> Cell {
+        let Some(element) = self.list().get(row) else { return Cell::default() };
+        let length = |mm| fixed(mm, self.unit.decimals());
+        let (text, takes) = match (column, element.kind) {
+            (TYPE, kind) => (word(&kind).to_owned(), Takes::Words(&WORDS)),
+            (LENGTH, ElementKind::Line { length: l }) => (length(l), Takes::Text),
+            (LENGTH, ElementKind::Bend { inside_radius, .. }) => (length(inside_radius), Takes::Text),
+            (BEND, ElementKind::Bend { angle_deg, .. }) => (super::words::angle(angle_deg), Takes::Text),
+            (BEND, ElementKind::Line { .. }) => (String::new(), Takes::Nothing),
+            (_, kind) => (length(self.mean_length(&kind)), Takes::Nothing),
+        };
+        Cell { text, takes, ..Cell::default() }
+    }
+
+    fn write(&self, document: &mut Document, row: usize, column: usize, text: &str) -> Result<(), String> {
+        let unit = document.unit;
+        let Some(set) = super::set_mut(document) else { return Ok(()) };
+        let Some(element) = self.list_of(&mut set.section).get_mut(row) else { return Ok(()) };
+        match (column, &mut element.kind) {
+            (TYPE, kind) => *kind = of_word(text, kind, unit)?,
+            (LENGTH, ElementKind::Line { length: value } | ElementKind::Bend { inside_radius: value, .. }) => {
+                *value = parse_length(text, unit)?;
+            }
+            (BEND, ElementKind::Bend { angle_deg, .. }) => *angle_deg = super::words::parse_angle(text)?,
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn change(&self, document: &mut Document, change: &Change) -> bool {
+        let new_length = NEW_LENGTH_MM / document.unit.in_mm();
+        let Some(set) = super::set_mut(document) else { return false };
+        let mut id = set.section.unused_id();
+        let list = self.list_of(&mut set.section);
+        match change {
+            Change::Insert(at) => {
+                let at = (*at).min(list.len());
+                list.insert(at, Element { id, kind: ElementKind::Line { length: new_length } });
+            }
+            Change::Delete(rows) => {
+                let end = rows.end().saturating_add(1).min(list.len());
+                list.drain((*rows.start()).min(end)..end);
+            }
+            Change::Duplicate(rows) => {
+                let copies: Vec<Element> =
+                    list.iter().skip(*rows.start()).take(rows.clone().count()).copied().collect();
+                let at = rows.end().saturating_add(1).min(list.len());
+                for copy in copies.into_iter().rev() {
+                    list.insert(at, Element { id, ..copy });
+                    id = id.saturating_add(1);
+                }
+            }
+            Change::Move { rows, down } => return sheet::shift(list, rows, *down),
+        }
+        true
+    }
+
+    fn selected(&self, session: &Session) -> Option<usize> {
+        let id = session.selection.element?;
+        self.list().iter().position(|element| element.id == id)
+    }
+
+    fn select(&self, session: &mut Session, row: usize, _column: usize) {
+        session.selection.element = self.list().get(row).map(|element| element.id);
+    }
+}
+
+const fn word(kind: &ElementKind) -> &'static str {
+    match kind {
+        ElementKind::Line { .. } => WORDS[0],
+        ElementKind::Bend { .. } => WORDS[1],
+    }
+}
+
+/// An element of the kind that `word` names, with usual figures where it is another kind than before.
+fn of_word(word: &str, before: &ElementKind, unit: Unit) -> Result<ElementKind, String> {
+    /// Radius and angle of a new bend.
+    const RADIUS_MM: f64 = 2.0;
+    const ANGLE_DEG: f64 = 90.0;
+    let wanted = word.trim().to_lowercase();
+    match (wanted.as_str(), before) {
+        ("line", ElementKind::Line { .. }) | ("bend", ElementKind::Bend { .. }) => Ok(*before),
+        ("line", _) => Ok(ElementKind::Line { length: NEW_LENGTH_MM / unit.in_mm() }),
+        ("bend", _) => Ok(ElementKind::Bend { inside_radius: RADIUS_MM / unit.in_mm(), angle_deg: ANGLE_DEG }),
+        _ => Err(format!("“{word}” is no kind of element. Type line or bend.")),
+    }
 }

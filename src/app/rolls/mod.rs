@@ -4,19 +4,31 @@ mod angles;
 mod charts;
 mod editor;
 mod elements;
+mod fields;
 mod flower;
 mod list;
 mod station;
 mod station_data;
+mod strip_data;
+mod words;
 
 use super::desk::Requests;
 use super::layout::Pane;
+use crate::document::{Content, Document, RollKind, RollRef, RollSet, Station};
 use crate::session::Session;
 use egui::Ui;
 
 /// What the panels keep.
 #[derive(Debug, Default)]
-pub(crate) struct RollsViews {}
+pub(crate) struct RollsViews {
+    elements: elements::ElementsView,
+    angles: angles::AnglesView,
+}
+
+/// The set of form-rolls in a document, to be changed.
+fn set_mut(document: &mut Document) -> Option<&mut RollSet> {
+    if let Content::RollSet(set) = &mut document.content { Some(set) } else { None }
+}
 
 /// Shows a panel of a set of form-rolls; true if it is dragged by its title.
 pub(crate) fn show(
@@ -38,4 +50,17 @@ pub(crate) fn show(
         Pane::RollList => list::show(ui, titled, session, views, requests),
         _ => false,
     }
+}
+
+/// The station that is shown and its number; the first one if none was chosen yet.
+fn shown_station<'a>(session: &Session, set: &'a RollSet) -> Option<(usize, &'a Station)> {
+    let chosen = session.selection.station.and_then(|id| set.station(id));
+    chosen.or_else(|| set.stations.first().map(|station| (1, station)))
+}
+
+/// Shows a station, and the roll of the same place as before.
+fn select_station(session: &mut Session, id: u32) {
+    session.selection.station = Some(id);
+    let kind = session.roll().map_or(RollKind::Top, |roll| roll.kind);
+    session.select_roll(RollRef { station: id, kind });
 }

@@ -1,18 +1,319 @@
-//! Station data.
+//! What the station that is shown is designed by.
 
 use super::RollsViews;
+use super::fields::{Field, Form};
 use crate::app::desk::Requests;
-use crate::app::widgets::title_row;
+use crate::app::theme::{self, Colors};
+use crate::app::widgets::{link, title_row};
+use crate::document::{
+    BendAngle, DriveSurface, ElementKind, ExtensionContour, ExtensionKind, Face, Pinch, RollSet, SideEnd, SideRoll,
+    Station,
+};
 use crate::session::Session;
-use egui::Ui;
+use crate::units::Unit;
+use egui::{ScrollArea, Ui};
+
+/// Radius of the bottom roll of a first station, mm.
+const PASS_HEIGHT_MM: f64 = 75.0;
+/// Axes of a first station, mm.
+const CENTRES_MM: f64 = 150.0;
+/// Parts of a spigot that is added, mm: a shoulder that two rolls of usual size run on.
+const SPIGOT_MM: [f64; 4] = [8.0, 13.0, 8.0, 13.0];
 
 /// Shows the panel; true if it is dragged by its title.
 pub(super) fn show(
     ui: &mut Ui,
     titled: bool,
-    _session: &mut Session,
+    session: &mut Session,
     _views: &mut RollsViews,
     _requests: &mut Requests,
 ) -> bool {
-    title_row(ui, titled.then_some("Station data"), "", |_| {})
+    let document = std::sync::Arc::clone(session.document());
+    let Some(set) = document.content.roll_set() else { return false };
+    let found = super::shown_station(session, set);
+    let title = found.map_or_else(|| "Station".to_owned(), |(number, _)| format!("Station {number}"));
+    let dragged = title_row(ui, titled.then_some(&title), "", |ui| steps(ui, session, set, found));
+    ScrollArea::vertical().id_salt("station-data").auto_shrink([false, false]).show(ui, |ui| {
+        if let Some((_, station)) = found {
+            Fields { unit: document.unit, set, station, form: Form::one_column(ui) }.show(ui, session);
+        } else {
+            let colors = Colors::of(ui.visuals());
+            ui.label(theme::quiet(
+                "There is no station yet. Add one in the bend angles, or let a flower be suggested.",
+                colors,
+            ));
+        }
+    });
+    dragged
+}
+
+/// To the station before or after.
+fn steps(ui: &mut Ui, session: &mut Session, set: &RollSet, found: Option<(usize, &Station)>) {
+    let Some((number, _)) = found else { return };
+    let mut go = |ui: &mut Ui, text: &str, hint: &str, to: Option<usize>| {
+        let station = to.and_then(|index| set.stations.get(index));
+        if let Some(station) = station.filter(|_| link(ui, text).on_hover_text(hint).clicked()) {
+            super::select_station(session, station.id);
+        }
+    };
+    go(ui, "▶", "Next station", Some(number));
+    go(ui, "◀", "Station before", number.checked_sub(2));
+}
+
+/// A station to begin with.
+pub(super) fn first_station(id: u32, bends: Vec<BendAngle>, in_mm: f64) -> Station {
+    Station {
+        id,
+        bends,
+        pass_height: PASS_HEIGHT_MM / in_mm,
+        centre_distance: CENTRES_MM / in_mm,
+        tolerance_left: 0.0,
+        tolerance_right: 0.0,
+        pinch: Pinch::None,
+        drive_left: None,
+        drive_right: None,
+        extension_left: Vec::new(),
+        extension_right: Vec::new(),
+        side_left: None,
+        side_right: None,
+        without_rolls: false,
+    }
+}
+
+/// The fields of a station.
+struct Fields<'a> {
+    unit: Unit,
+    set: &'a RollSet,
+    station: &'a Station,
+    form: Form,
+}
+
+/// Left or right.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Side {
+    Left,
+    Right,
+}
+
+impl Side {
+    const fn extension(self, station: &Station) -> &Vec<ExtensionContour> {
+        match self {
+            Self::Left => &station.extension_left,
+            Self::Right => &station.extension_right,
+        }
+    }
+
+    const fn extension_mut(self, station: &mut Station) -> &mut Vec<ExtensionContour> {
+        match self {
+            Self::Left => &mut station.extension_left,
+            Self::Right => &mut station.extension_right,
+        }
+    }
+
+    const fn roll(self, station: &Station) -> Option<&SideRoll> {
+        match self {
+            Self::Left => station.side_left.as_ref(),
+            Self::Right => station.side_right.as_ref(),
+        }
+    }
+
+    const fn roll_mut(self, station: &mut Station) -> &mut Option<SideRoll> {
+        match self {
+            Self::Left => &mut station.side_left,
+            Self::Right => &mut station.side_right,
+        }
+    }
+}
+
+impl Fields<'_> {
+    fn show(&self, ui: &mut Ui, session: &mut Session) {
+        let s = self.station;
+        self.length(ui, session, "Pass height", s.pass_height, |s, v| s.pass_height = v);
+        self.length(ui, session, "Centres", s.centre_distance, |s, v| s.centre_distance = v);
+        self.pinch(ui, session);
+        self.drive(ui, session);
+        self.length(ui, session, "Tolerance L", s.tolerance_left, |s, v| s.tolerance_left = v);
+        self.length(ui, session, "Tolerance R", s.tolerance_right, |s, v| s.tolerance_right = v);
+        for (side, label) in [(Side::Left, "Left edge"), (Side::Right, "Right edge")] {
+            self.extension(ui, session, side, label);
+        }
+        for (side, label) in [(Side::Left, "Left roll"), (Side::Right, "Right roll")] {
+            self.side_roll(ui, session, side, label);
+        }
+        let all = [(false, "yes".to_owned()), (true, "none".to_owned())];
+        self.choice(ui, session, "Rolls", &s.without_rolls, &all, |s, without| s.without_rolls = without);
+        ui.add_space(8.0);
+        self.line(ui, session);
+    }
+
+    /// What all stations share.
+    fn line(&self, ui: &mut Ui, session: &mut Session) {
+        ui.label(theme::strong("Line"));
+        let (line, unit) = (&self.set.line, self.unit);
+        let form = self.form;
+        Form::row(ui, |ui| {
+            form.length(ui, session, Field::of("Station pitch"), line.station_pitch, unit, |s, v| {
+                s.line.station_pitch = v;
+            });
+        });
+        Form::row(ui, |ui| {
+            form.length(ui, session, Field::of("Shaft ⌀"), line.shaft_diameter, unit, |s, v| {
+                s.line.shaft_diameter = v;
+            });
+        });
+        Form::row(ui, |ui| {
+            let value = line.side_shaft_diameter;
+            form.length(ui, session, Field::of("Side axle ⌀"), value, unit, |s, v| s.line.side_shaft_diameter = v);
+        });
+        Form::row(ui, |ui| {
+            form.figure(ui, session, Field::of("Gear ratio"), line.gear_ratio, |s, v| s.line.gear_ratio = v);
+        });
+    }
+
+    fn length(
+        &self,
+        ui: &mut Ui,
+        session: &mut Session,
+        label: &str,
+        value: f64,
+        write: impl FnOnce(&mut Station, f64),
+    ) {
+        let id = self.station.id;
+        Form::row(ui, |ui| {
+            ui.push_id(id, |ui| {
+                let of = Field::of(label);
+                let write = |set: &mut RollSet, value| in_station(set, id, |s| write(s, value));
+                self.form.length(ui, session, of, value, self.unit, write);
+            });
+        });
+    }
+
+    fn choice<T: PartialEq + Clone>(
+        &self,
+        ui: &mut Ui,
+        session: &mut Session,
+        label: &str,
+        present: &T,
+        all: &[(T, String)],
+        write: impl FnOnce(&mut Station, T),
+    ) {
+        let id = self.station.id;
+        Form::row(ui, |ui| {
+            self.form.choice(ui, session, Field::of(label), present, all, |set, chosen| {
+                in_station(set, id, |s| write(s, chosen));
+            });
+        });
+    }
+
+    fn pinch(&self, ui: &mut Ui, session: &mut Session) {
+        let (thickness, present) = (self.set.section.thickness, self.station.pinch);
+        let (drive, clearance, added) = match present {
+            Pinch::None => (thickness, thickness, 0.0),
+            Pinch::Gaps { drive, clearance } => (drive, clearance, 0.0),
+            Pinch::Clearance { added } => (thickness, thickness, added),
+        };
+        let all = [
+            (Pinch::None, "thickness".to_owned()),
+            (Pinch::Gaps { drive, clearance }, "own gaps".to_owned()),
+            (Pinch::Clearance { added }, "8 % and more".to_owned()),
+        ];
+        self.choice(ui, session, "Opening", &present, &all, |s, pinch| s.pinch = pinch);
+        match present {
+            Pinch::None => {}
+            Pinch::Gaps { drive, clearance } => {
+                self.length(ui, session, "Drive gap", drive, |s, v| s.pinch = Pinch::Gaps { drive: v, clearance });
+                self.length(ui, session, "Clear gap", clearance, |s, v| s.pinch = Pinch::Gaps { drive, clearance: v });
+            }
+            Pinch::Clearance { added } => {
+                self.length(ui, session, "Added gap", added, |s, v| s.pinch = Pinch::Clearance { added: v });
+            }
+        }
+    }
+
+    /// The drive surface ends at an element; it begins at the first one.
+    fn drive(&self, ui: &mut Ui, session: &mut Session) {
+        let elements = &self.set.section.elements;
+        let Some(first) = elements.first().map(|e| e.id) else { return };
+        let to = |index: usize| format!("1 to {}", index + 1);
+        let mut all: Vec<(Option<u32>, String)> = vec![(None, "longest line".to_owned())];
+        all.extend(elements.iter().enumerate().map(|(index, e)| (Some(e.id), to(index))));
+        let present = self.station.drive_right.map(|drive| drive.last);
+        self.choice(ui, session, "Drive", &present, &all, |s, last| {
+            s.drive_right = last.map(|last| DriveSurface { first, last });
+        });
+    }
+
+    fn extension(&self, ui: &mut Ui, session: &mut Session, side: Side, label: &str) {
+        let present = side.extension(self.station).first().map(|e| e.kind);
+        let all = [
+            (None, "plain".to_owned()),
+            (Some(ExtensionKind::SpigotA), "spigot A".to_owned()),
+            (Some(ExtensionKind::SpigotB), "spigot B".to_owned()),
+            (Some(ExtensionKind::SideRoll), "side roll".to_owned()),
+        ];
+        let in_mm = self.unit.in_mm();
+        self.choice(ui, session, label, &present, &all, |station, kind| {
+            let list = side.extension_mut(station);
+            match (kind, list.first_mut()) {
+                (None, _) => list.clear(),
+                (Some(kind), Some(first)) => first.kind = kind,
+                (Some(kind), None) => list.push(ExtensionContour { kind, lengths: SPIGOT_MM.map(|l| l / in_mm) }),
+            }
+        });
+        let Some(extension) = side.extension(self.station).first() else { return };
+        for (index, length) in extension.lengths.into_iter().enumerate() {
+            self.length(ui, session, &format!("{label} part {}", index + 1), length, |station, value| {
+                let part = side.extension_mut(station).first_mut().and_then(|e| e.lengths.get_mut(index));
+                if let Some(part) = part {
+                    *part = value;
+                }
+            });
+        }
+    }
+
+    fn side_roll(&self, ui: &mut Ui, session: &mut Session, side: Side, label: &str) {
+        let present = side.roll(self.station);
+        let fresh = self.usual_side_roll();
+        let all = [(false, "none".to_owned()), (true, "side roll".to_owned())];
+        self.choice(ui, session, label, &present.is_some(), &all, |station, wanted| {
+            *side.roll_mut(station) = if wanted { fresh } else { None };
+        });
+        let Some(roll) = present else { return };
+        self.length(ui, session, &format!("{label} axis"), roll.axis_distance, |station, value| {
+            side.roll_mut(station).iter_mut().for_each(|roll| roll.axis_distance = value);
+        });
+        let numbers: Vec<(u32, String)> =
+            (1..).zip(&self.set.section.elements).map(|(n, e): (usize, _)| (e.id, format!("element {n}"))).collect();
+        let (from, to) = (roll.from, roll.to);
+        self.choice(ui, session, &format!("{label} from"), &from.element, &numbers, |station, element| {
+            side.roll_mut(station).iter_mut().for_each(|roll| roll.from.element = element);
+        });
+        self.choice(ui, session, &format!("{label} to"), &to.element, &numbers, |station, element| {
+            side.roll_mut(station).iter_mut().for_each(|roll| roll.to.element = element);
+        });
+        let faces = [(Face::Bottom, "bottom".to_owned()), (Face::Top, "top".to_owned())];
+        self.choice(ui, session, &format!("{label} face"), &from.face, &faces, |station, face| {
+            side.roll_mut(station).iter_mut().for_each(|roll| (roll.from.face, roll.to.face) = (face, face));
+        });
+    }
+
+    /// A side roll on the outside of all that is bent, as far out as the shafts of the station are apart.
+    fn usual_side_roll(&self) -> Option<SideRoll> {
+        let elements = &self.set.section.elements;
+        let bent = elements.iter().find(|e| matches!(e.kind, ElementKind::Bend { .. }))?;
+        let down = matches!(bent.kind, ElementKind::Bend { angle_deg, .. } if angle_deg < 0.0);
+        let face = if down { Face::Top } else { Face::Bottom };
+        Some(SideRoll {
+            axis_distance: self.station.centre_distance,
+            from: SideEnd { element: bent.id, face },
+            to: SideEnd { element: elements.last()?.id, face },
+            extensions: Vec::new(),
+        })
+    }
+}
+
+fn in_station(set: &mut RollSet, id: u32, change: impl FnOnce(&mut Station)) {
+    if let Some(station) = set.stations.iter_mut().find(|s| s.id == id) {
+        change(station);
+    }
 }
