@@ -6,6 +6,7 @@ use crate::cancel::{Cancel, Cancelled};
 use crate::diagnostic::{Diagnostic, Place, has_errors};
 use crate::document::{Content, Document, FORMAT_VERSION, RollRef, RollSet};
 use crate::machine::Catalog;
+use crate::rollform::flower::Flower;
 use crate::rollform::{self, Roll, RollDesign};
 use crate::units::Unit;
 use rayon::prelude::*;
@@ -16,6 +17,8 @@ use std::sync::Arc;
 /// Everything that follows from a set of form-rolls.
 #[derive(Debug, Clone, Default)]
 pub struct RollSetDerived {
+    /// The strip at every stage with what is to be said about it, mm.
+    pub flower: Arc<Flower>,
     /// Strip and rolls of every station, mm.
     pub design: Arc<RollDesign>,
     /// The rolls, station by station, as far as they can be turned.
@@ -69,6 +72,7 @@ type RollInput = (String, Unit, crate::document::TurnedPart);
 /// The stages of a set.
 #[derive(Debug, Default)]
 pub(super) struct RollSetCache {
+    flower: Stage<RollSet, Flower>,
     design: Stage<(String, RollSet), RollDesign>,
     rolls: BTreeMap<RollRef, RollCache>,
 }
@@ -104,6 +108,9 @@ pub(super) fn regenerate(
         return Ok(Derived::only(document, vec![missing]));
     };
     let set_mm = set.scaled(document.unit.in_mm());
+    // The strip does not follow from what was decided about single rolls.
+    let flower = cache.flower.get(RollSet { rolls: Vec::new(), ..set_mm.clone() }, Flower::of);
+    let said = rollform::rules::check(&set_mm, &flower, document.unit);
     let design = cache.design.get((file_stem(&document.name), set_mm), |(name, set)| rollform::design(name, set));
     cancel.check()?;
     let rolls: Vec<&Roll> = design.rolls().collect();
@@ -111,7 +118,7 @@ pub(super) fn regenerate(
     for roll in &rolls {
         cache.rolls.entry(roll.roll).or_default().take(roll, document.unit);
     }
-    let whole = Whole { document, design: &design, machine: Arc::new(machine) };
+    let whole = Whole { document, flower, said, design: &design, machine: Arc::new(machine) };
     let mut waiting: Vec<&mut RollCache> = cache.rolls.values_mut().filter(|roll| !roll.is_current()).collect();
     if !waiting.is_empty() {
         drop(waiting);
@@ -157,6 +164,9 @@ impl RollCache {
 /// What the results of all rolls are put together from.
 struct Whole<'a> {
     document: &'a Arc<Document>,
+    flower: Arc<Flower>,
+    /// What there is to say about section and flower.
+    said: Vec<Diagnostic>,
     design: &'a Arc<RollDesign>,
     machine: Arc<crate::machine::Machine>,
 }
@@ -164,7 +174,8 @@ struct Whole<'a> {
 impl Whole<'_> {
     /// All that there is by now; `complete` if every roll is as it is designed.
     fn derived(&self, made: &BTreeMap<RollRef, RollCache>, complete: bool) -> Derived {
-        let mut diagnostics = self.design.diagnostics.clone();
+        let mut diagnostics = self.said.clone();
+        diagnostics.extend(self.design.diagnostics.iter().cloned());
         let (mut setups, mut rolls) = (Vec::new(), Vec::new());
         for roll in self.design.rolls() {
             add_new(&mut diagnostics, &roll.diagnostics);
@@ -182,7 +193,8 @@ impl Whole<'_> {
             });
         }
         let material = rolls.iter().find_map(|roll| roll.derived.material.clone());
-        let rolls = Some(Arc::new(RollSetDerived { design: Arc::clone(self.design), rolls }));
+        let rolls =
+            Some(Arc::new(RollSetDerived { flower: Arc::clone(&self.flower), design: Arc::clone(self.design), rolls }));
         let machine = Some(Arc::clone(&self.machine));
         Derived { machine, material, setups, rolls, complete, ..Derived::only(self.document, diagnostics) }
     }

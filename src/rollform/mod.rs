@@ -7,11 +7,15 @@ pub mod bends;
 pub mod design;
 pub mod developed;
 pub mod editor;
+pub mod flower;
 pub mod part;
 pub mod properties;
 pub mod roll;
+pub mod rules;
 pub mod springback;
+pub mod strain;
 pub mod strip;
+pub mod suggest;
 
 #[cfg(test)]
 pub(crate) mod fixtures;
