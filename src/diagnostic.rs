@@ -39,6 +39,11 @@ pub enum Place {
     },
     /// The stock (bar) settings.
     Stock,
+    /// A figure of the document, by its path in the file: `roller.nose_radius`.
+    Setting {
+        /// The path.
+        path: String,
+    },
     /// The machine, by id.
     Machine {
         /// Machine id.
@@ -209,6 +214,7 @@ impl fmt::Display for Place {
                 column.map_or(Ok(()), |c| write!(f, ", {c}"))
             }
             Self::Stock => write!(f, "stock"),
+            Self::Setting { path } => write!(f, "{path}"),
             Self::Machine { id } => write!(f, "machine {id}"),
             Self::Tool { station } => write!(f, "tool {station}"),
             Self::Element { number, other_side: false, .. } => write!(f, "element {number}"),

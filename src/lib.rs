@@ -17,6 +17,7 @@
 //! | [`proof`] | the second opinion: program readers, stock removal, findings, times |
 //! | [`post`] | cutter location data to program text |
 //! | [`turning`] | generators: set-up to cutter location data |
+//! | [`spinning`] | flow-turning: former, wall, roller path, process rules, published controller, rigs, program and its proof |
 //! | [`document`] | what is edited and saved |
 //! | [`rollform`] | cross-section, flower and rolls of a forming line |
 //! | [`part`] | section table to exact profile, checks |
@@ -44,6 +45,7 @@ pub mod regen;
 mod replace;
 pub mod rollform;
 pub mod session;
+pub mod spinning;
 pub mod storage;
 pub mod textfile;
 pub mod transfer;

@@ -3,6 +3,7 @@
 //! Part space: `z` along the spindle, growing away from the chuck; `r` a radius, never negative on a part.
 //! Counter-clockwise (`ccw`) is seen with z to the right and r upwards.
 
+mod biarc;
 mod contour;
 mod inside;
 mod intersection;
@@ -14,6 +15,7 @@ mod segment;
 #[cfg(test)]
 mod properties;
 
+pub use biarc::biarc;
 pub use contour::Contour;
 pub use inside::Location;
 pub use intersection::Intersection;

@@ -1,7 +1,7 @@
 //! The finished contour as lines and arcs: parabolas become pairs of tangent arcs.
 
 use super::{Curve, Parabola, ParabolaAxis, PartContour, Profile};
-use crate::geometry::{Contour, Point, Segment, Vector};
+use crate::geometry::{self, Contour, Segment, Vector};
 
 /// A parabola is halved no further than this many times.
 const DEEPEST: u32 = 16;
@@ -11,9 +11,6 @@ const CHECKS: u32 = 16;
 
 /// Share of the tolerance that may show at those points, so that it holds between them, too.
 const SAFETY: f64 = 0.95;
-
-/// An arc that bulges less than this is written as a line, mm.
-const STRAIGHT_MM: f64 = 1e-9;
 
 /// The profile as lines and arcs. Lines and arcs stay as they are; a parabola becomes tangent-continuous arcs, none
 /// further than `tolerance_mm` from it.
@@ -54,32 +51,9 @@ fn halve(parabola: &Parabola, t1: f64, t2: f64, tolerance: f64, depth: u32, out:
 }
 
 /// Two arcs with the parabola's ends and directions at `t1` and `t2`, and the same direction where they meet.
-///
-/// Of the one-parameter family the one with equal tangent lengths d: |v|² = 2 d v·(a + b) + 2 d² (1 − a·b), v from
-/// end to end, a and b the directions there (Bolton, Biarc curves, 1975).
 fn biarc(parabola: &Parabola, t1: f64, t2: f64) -> [Segment; 2] {
     let (start, end) = (parabola.point_at(t1), parabola.point_at(t2));
-    let (a, b) = (parabola.direction_at(t1), parabola.direction_at(t2));
-    let v = end - start;
-    let along = v.dot(&(a + b));
-    // 1 − a·b as half the squared difference: no cancellation when the directions are nearly the same.
-    let turn = (a - b).norm_squared();
-    let squared = v.norm_squared();
-    let d = squared / (along + (along * along + turn * squared).sqrt());
-    let joint = Point::new(f64::midpoint(start.z, end.z), f64::midpoint(start.r, end.r)) + (a - b) * (d / 2.0);
-    [tangent_arc(start, a, joint), tangent_arc(end, -b, joint).reversed()]
-}
-
-/// The arc from `start` in `direction` to `end`, or a line if it hardly bulges.
-fn tangent_arc(start: Point, direction: Vector, end: Point) -> Segment {
-    let chord = end - start;
-    let normal = Vector::new(-direction.y, direction.x);
-    let rise = normal.dot(&chord);
-    if rise.abs() / 4.0 <= STRAIGHT_MM {
-        return Segment::line(start, end);
-    }
-    let center = start + normal * (chord.norm_squared() / (2.0 * rise));
-    Segment::Arc { start, end, center, ccw: rise > 0.0 }
+    geometry::biarc(start, parabola.direction_at(t1), end, parabola.direction_at(t2))
 }
 
 /// Largest distance of the checked points of the parabola between `t1` and `t2` from the pair of arcs, mm.
@@ -108,6 +82,7 @@ impl Parabola {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::Point;
     use crate::part::{Piece, PieceRole};
 
     const TOLERANCE_MM: f64 = 0.002;
