@@ -5,20 +5,28 @@
 //! | `design` | the shell as data |
 //! | `former`, `offset`, `shape`, `law` | former to exact contour, wall by the sine law, blank by constant volume |
 //! | `rules`, [`material`](mod@material) | limits of process, material, roller and rig, one rule a file |
+//! | [`published`] | the controller of 1988: ranges, tables, integer interpolation |
+//! | [`interpolation`] | exact set points for any contour |
+//! | [`rig`], [`control`], [`run`](mod@run) | rig and its simulation, the controller that watches its path, a run with its errors |
 //! | [`path`](mod@path), [`roller`] | path of the roller's nose centre for every pass; outline of the roller |
 //!
 //! Part space: z = 0 at the chuck's face, growing towards the former's tip; r a radius. Contours run from the tip to the
 //! base.
 
+pub mod control;
 mod design;
 mod fit;
 mod former;
+pub mod interpolation;
 mod law;
 pub mod material;
 mod offset;
 pub mod path;
+pub mod published;
+pub mod rig;
 pub mod roller;
 mod rules;
+pub mod run;
 mod shape;
 
 pub use design::{Blank, Former, FormerShape, Forming, LARGEST_FIGURE, MOST_PASSES, RigChoices, Roller, Shell, Speeds};
