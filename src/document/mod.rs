@@ -22,7 +22,7 @@ pub use roll_set::{
 };
 use row::{EndsRow, ParabolaCutRow};
 use serde::{Deserialize, Serialize};
-pub use shell::Shell;
+pub use shell::{Blank, Former, FormerShape, Forming, RigChoices, Roller, Shell, Speeds};
 use std::collections::BTreeMap;
 pub use threading::{Infeed, ThreadChoices};
 

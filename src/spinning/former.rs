@@ -3,12 +3,13 @@
 //! Part space with z = 0 at the chuck's face: the cylinder behind the contour lies from 0 to the base length, the tip is the
 //! point of the contour furthest from the chuck.
 
-use super::design::{Former, FormerShape, LARGEST_FIGURE};
 use super::fit;
 use crate::document::TurnedPart;
+use crate::document::{Former, FormerShape};
 use crate::geometry::{Contour, Point, Segment, Vector};
 use crate::machine::Machine;
 use crate::part::{self, Section, SectionKind};
+use crate::spinning::limits::LARGEST_FIGURE;
 
 /// Distance that lines and arcs may keep from a parabola or ellipse, mm.
 pub const CONTOUR_TOLERANCE_MM: f64 = 0.0005;

@@ -2,7 +2,7 @@
 //!
 //! Sources: Mohamad 1988, sections 1.1 and 1.2 (sine law, elements keep their radius, volume stays the same).
 
-use super::design::Forming;
+use crate::document::Forming;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Wall thickness where the wall stands at `half_angle` (radians) to the axis: `t = t0 · sin α` by the sine law, `t0` in

@@ -2,7 +2,6 @@
 //!
 //! | module | duty |
 //! |---|---|
-//! | `design` | the shell as data |
 //! | `former`, `offset`, `shape`, `law` | former to exact contour, wall by the sine law, blank by constant volume |
 //! | `rules`, [`material`](mod@material) | limits of process, material, roller and rig, one rule a file |
 //! | [`published`] | the controller of 1988: ranges, tables, integer interpolation |
@@ -14,11 +13,11 @@
 //! base.
 
 pub mod control;
-mod design;
 mod fit;
 mod former;
 pub mod interpolation;
 mod law;
+pub mod limits;
 pub mod material;
 mod offset;
 pub mod path;
@@ -29,7 +28,7 @@ mod rules;
 pub mod run;
 mod shape;
 
-pub use design::{Blank, Former, FormerShape, Forming, LARGEST_FIGURE, MOST_PASSES, RigChoices, Roller, Shell, Speeds};
+pub use crate::document::{Blank, Former, FormerShape, Forming, RigChoices, Roller, Shell, Speeds};
 pub use former::{CONTOUR_TOLERANCE_MM, as_turned_part, contour};
 pub use law::{angle_after, disc_radius, reduction, wall};
 pub use rules::check;

@@ -1,9 +1,9 @@
 //! The contour at a distance from the former that may change with the angle of the wall: outside of the shell, path of the
 //! roller's centre.
 
-use super::design::Forming;
 use super::fit;
 use super::law;
+use crate::document::Forming;
 use crate::geometry::{Contour, Point, Segment, Vector};
 
 /// Points closer than this are the same, mm.

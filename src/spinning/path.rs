@@ -1,10 +1,10 @@
 //! The path of the roller's nose centre: approach, contour, retreat, for every pass.
 
-use super::design::{Forming, Shell};
 use super::former::CONTOUR_TOLERANCE_MM;
 use super::law;
 use super::offset::{self, Distance};
 use super::shape::ShellShape;
+use crate::document::{Forming, Shell};
 use crate::geometry::{Contour, Point, Segment, Vector};
 
 /// Distance that the roller keeps from the flat blank before it begins and from everything when it travels, mm.
@@ -37,7 +37,7 @@ pub struct RollerPath {
 #[must_use]
 pub fn path(shell_mm: &Shell, shape: &ShellShape) -> RollerPath {
     let nose = shell_mm.roller.nose_radius;
-    let passes = shell_mm.passes.clamp(1, super::design::MOST_PASSES);
+    let passes = shell_mm.passes.clamp(1, super::limits::MOST_PASSES);
     let contours: Vec<Contour> = (1..=passes).map(|pass| pass_contour(shell_mm, shape, pass, passes)).collect();
     let highest =
         contours.iter().filter_map(Contour::bounds).map(|b| b.max.r).fold(shape.blank_radius + nose, f64::max);
@@ -101,7 +101,7 @@ impl RollerPath {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spinning::design::FormerShape;
+    use crate::document::FormerShape;
     use crate::spinning::shape::shape;
 
     fn made(shell: &Shell) -> (ShellShape, RollerPath) {

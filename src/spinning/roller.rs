@@ -1,6 +1,6 @@
 //! The outline of the forming roller about the centre of its nose.
 
-use super::design::Roller;
+use crate::document::Roller;
 use crate::geometry::{Point, Vector};
 
 /// The body of the roller without its nose: a convex outline about the nose's centre, mm.

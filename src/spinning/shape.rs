@@ -1,9 +1,9 @@
 //! The shell over its former: inside, outside, wall and reduction along it, and the blank that it is made from.
 
-use super::design::Shell;
 use super::former::{self, CONTOUR_TOLERANCE_MM};
 use super::law;
 use super::offset::{self, Distance};
+use crate::document::Shell;
 use crate::geometry::{Contour, Point, Segment};
 use std::f64::consts::PI;
 
@@ -149,7 +149,7 @@ fn turned_volume(outline: &[Point]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::spinning::design::{FormerShape, Forming};
+    use crate::document::{FormerShape, Forming};
 
     fn shell(shape: FormerShape, forming: Forming) -> Shell {
         let mut shell = Shell { forming, ..Shell::default() };

@@ -2,7 +2,7 @@
 
 use super::{Checked, setting};
 use crate::diagnostic::Diagnostic;
-use crate::spinning::design::FormerShape;
+use crate::document::FormerShape;
 
 /// Figures of a former or blank that describe none.
 pub(super) fn check(checked: &Checked<'_>) -> Vec<Diagnostic> {

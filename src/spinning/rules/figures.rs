@@ -3,7 +3,7 @@
 
 use super::{Checked, setting};
 use crate::diagnostic::Diagnostic;
-use crate::spinning::design::LARGEST_FIGURE;
+use crate::spinning::limits::LARGEST_FIGURE;
 
 /// Figures that are not numbers, infinite, or beyond what any spinning lathe holds.
 pub(super) fn check(checked: &Checked<'_>) -> Vec<Diagnostic> {

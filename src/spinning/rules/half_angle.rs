@@ -3,7 +3,7 @@
 
 use super::{Checked, setting};
 use crate::diagnostic::Diagnostic;
-use crate::spinning::design::Forming;
+use crate::document::Forming;
 
 /// Smallest half angle in one go, degrees.
 const LEAST_DEG: f64 = 12.0;

@@ -16,9 +16,9 @@ mod spinning_ratio;
 mod surface_speed;
 mod turns_back;
 
-use super::design::Shell;
 use super::shape::ShellShape;
 use crate::diagnostic::{Diagnostic, Place};
+use crate::document::Shell;
 use crate::units::Unit;
 
 /// What the rules look at.
@@ -74,7 +74,7 @@ fn setting(path: &str) -> Place {
 #[cfg(test)]
 mod test_shell {
     use super::*;
-    use crate::spinning::design::FormerShape;
+    use crate::document::FormerShape;
     use crate::spinning::shape;
 
     /// What a rule says of a shell, by code.

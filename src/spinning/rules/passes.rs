@@ -2,7 +2,8 @@
 
 use super::{Checked, setting};
 use crate::diagnostic::Diagnostic;
-use crate::spinning::design::{Forming, MOST_PASSES};
+use crate::document::Forming;
+use crate::spinning::limits::MOST_PASSES;
 
 /// Smallest half angle in one pass, degrees.
 const ONE_PASS_DEG: f64 = 13.0;

@@ -36,7 +36,7 @@ pub(super) fn check(checked: &Checked<'_>) -> Vec<Diagnostic> {
 mod tests {
     use super::super::test_shell::*;
     use super::*;
-    use crate::spinning::design::RigChoices;
+    use crate::document::RigChoices;
 
     #[test]
     fn fires_for_every_setting_out_of_range() {

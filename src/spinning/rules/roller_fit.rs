@@ -43,8 +43,8 @@ fn wall(checked: &Checked<'_>, segment: &Segment) -> f64 {
 mod tests {
     use super::super::test_shell::*;
     use super::*;
+    use crate::document::FormerShape;
     use crate::part::{Section, SectionKind};
-    use crate::spinning::design::FormerShape;
 
     #[test]
     fn fires_for_a_nose_larger_than_the_hollow() {

@@ -2,7 +2,8 @@
 
 use super::{Checked, setting};
 use crate::diagnostic::Diagnostic;
-use crate::spinning::design::{Forming, MOST_PASSES};
+use crate::document::Forming;
+use crate::spinning::limits::MOST_PASSES;
 use crate::spinning::material::SPINNING_RATIO_PER_PASS;
 
 /// Blanks too large for the number of passes.
@@ -25,8 +26,8 @@ pub(super) fn check(checked: &Checked<'_>) -> Vec<Diagnostic> {
 mod tests {
     use super::super::test_shell::*;
     use super::*;
+    use crate::document::FormerShape;
     use crate::spinning::Shell;
-    use crate::spinning::design::FormerShape;
 
     #[test]
     fn fires_for_a_deep_shell_in_one_pass() {

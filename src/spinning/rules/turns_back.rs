@@ -23,8 +23,8 @@ pub(super) fn check(checked: &Checked<'_>) -> Vec<Diagnostic> {
 mod tests {
     use super::super::test_shell::*;
     use super::*;
+    use crate::document::FormerShape;
     use crate::part::Section;
-    use crate::spinning::design::FormerShape;
 
     #[test]
     fn fires_where_the_shell_would_stay_on() {
