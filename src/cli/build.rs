@@ -10,7 +10,7 @@ use turnwright::diagnostic::{Diagnostic, Place, Severity};
 use turnwright::document::Document;
 use turnwright::machine::Catalog;
 use turnwright::output::{self, OutputFile};
-use turnwright::regen::{self, Cache, Derived, SetupDerived};
+use turnwright::regen::{self, Cache, Derived, SetupDerived, ShellDerived};
 use turnwright::storage;
 
 /// Make contour, set-up, programs, proof and report.
@@ -34,6 +34,7 @@ pub(super) fn run(args: &Build) -> Outcome {
     write_all(&args.out, &files)?;
     complain(&derived.diagnostics);
     derived.setups.iter().for_each(report_setup);
+    derived.shell.iter().for_each(|made| report_shell(made));
     say(&format!("{} files in {}", files.len(), args.out.display()));
     Ok(if output::has_errors(&derived) { Ending::FoundErrors } else { Ending::Good })
 }
@@ -65,6 +66,24 @@ pub(super) fn derive(document: &Arc<Document>, catalog: &Catalog) -> Result<Deri
         Ok(derived) => Err(derived.diagnostics),
         Err(cancelled) => Err(vec![Diagnostic::error("cancelled", Place::Document, cancelled.to_string())]),
     }
+}
+
+fn report_shell(made: &ShellDerived) {
+    let programs: Vec<String> =
+        made.post.programs.iter().map(|p| format!("{} ({} blocks)", p.name, p.blocks.len())).collect();
+    let verdict = if made.proof.passed { "proved" } else { "NOT PROVED" };
+    let thinnest = made.shape.thinnest().map_or(0.0, |s| s.wall);
+    say(&format!(
+        "{}: {verdict}, {}, {:.1} min, wall down to {thinnest:.3} mm, blank ⌀ {:.2} mm, gap {:+.3} to {:+.3} mm of the wall, \
+         {} set points",
+        made.name,
+        programs.join(", "),
+        made.proof.times.total_s / 60.0,
+        2.0 * made.shape.blank_radius,
+        made.proof.tightest_mm,
+        made.proof.widest_mm,
+        made.set_points.len(),
+    ));
 }
 
 fn write_all(folder: &Path, files: &[OutputFile]) -> Result<(), Vec<Diagnostic>> {

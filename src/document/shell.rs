@@ -169,9 +169,9 @@ pub struct RigChoices {
 }
 
 impl Default for RigChoices {
-    /// The settings of the published tests, and a limit of 1 mm that their overshoot keeps.
+    /// The settings of the published tests, and a limit that their overshoot keeps.
     fn default() -> Self {
-        Self { rpm: 95.0, feed_per_rev: 1.27, increment_pulses: 8, path_limit: 1.5 }
+        Self { rpm: 95.0, feed_per_rev: 1.27, increment_pulses: 8, path_limit: 2.0 }
     }
 }
 

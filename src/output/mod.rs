@@ -3,6 +3,7 @@
 mod contour;
 mod report;
 mod setup;
+mod shell;
 
 use crate::post::Program;
 use crate::proof;
@@ -22,6 +23,7 @@ pub struct OutputFile {
 #[must_use]
 pub fn files(derived: &Derived) -> Vec<OutputFile> {
     let mut files: Vec<OutputFile> = derived.setups.iter().flat_map(|s| setup_files(derived, s)).collect();
+    files.extend(derived.shell.iter().flat_map(|made| shell::files(made)));
     files.push(OutputFile { name: "report.json".to_owned(), text: pretty(&report::report(derived)) });
     files
 }
@@ -29,7 +31,9 @@ pub fn files(derived: &Derived) -> Vec<OutputFile> {
 /// True if a diagnostic or a proof of `derived` is an error.
 #[must_use]
 pub fn has_errors(derived: &Derived) -> bool {
-    crate::diagnostic::has_errors(&derived.diagnostics) || derived.setups.iter().any(|s| !s.proof.passed)
+    crate::diagnostic::has_errors(&derived.diagnostics)
+        || derived.setups.iter().any(|s| !s.proof.passed)
+        || derived.shell.as_ref().is_some_and(|made| !made.proof.passed)
 }
 
 /// File name of a program. Those of form-rolls are called as the published ones: `NC1470b-2T.nc`.

@@ -10,7 +10,7 @@ pub(super) fn report(derived: &Derived) -> Value {
         "unit": derived.document.unit,
         "machine": derived.machine.as_deref().map(|m| &m.id),
         "good": !super::has_errors(derived),
-        "items": derived.setups.iter().map(|s| item(derived, s)).collect::<Vec<_>>(),
+        "items": derived.setups.iter().map(|s| item(derived, s)).chain(derived.shell.iter().map(|made| super::shell::item(made))).collect::<Vec<_>>(),
         "diagnostics": derived.diagnostics,
     })
 }

@@ -88,6 +88,8 @@ fn ellipse(along: f64, across: f64, tip: f64, length: f64) -> Option<Vec<Segment
 
 /// The table's profile from its free end back to its clamped end.
 fn of_sections(sections: &[Section]) -> Option<Vec<Segment>> {
+    /// Rows that end and begin further apart leave a step, mm.
+    const STEP_MM: f64 = 1e-6;
     let profile = part::Profile {
         pieces: sections
             .iter()
@@ -98,8 +100,6 @@ fn of_sections(sections: &[Section]) -> Option<Vec<Segment>> {
             .collect::<Option<_>>()?,
     };
     let contour = part::contour(&profile, CONTOUR_TOLERANCE_MM).contour;
-    /// Rows that end and begin further apart leave a step, mm.
-    const STEP_MM: f64 = 1e-6;
     if contour.segments.is_empty() || contour.largest_gap() > STEP_MM {
         return None;
     }

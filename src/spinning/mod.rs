@@ -8,6 +8,9 @@
 //! | [`interpolation`] | exact set points for any contour |
 //! | [`rig`], [`control`], [`run`](mod@run) | rig and its simulation, the controller that watches its path, a run with its errors |
 //! | [`path`](mod@path), [`roller`] | path of the roller's nose centre for every pass; outline of the roller |
+//! | [`program`], [`proof`] | program for a CNC spinning lathe, and its proof by reading the text back |
+//! | [`operator`] | the operator's sequence as a state machine |
+//! | [`table`] | set points as CSV and C header |
 //!
 //! Part space: z = 0 at the chuck's face, growing towards the former's tip; r a radius. Contours run from the tip to the
 //! base.
@@ -20,13 +23,17 @@ mod law;
 pub mod limits;
 pub mod material;
 mod offset;
+pub mod operator;
 pub mod path;
+pub mod program;
+pub mod proof;
 pub mod published;
 pub mod rig;
 pub mod roller;
 mod rules;
 pub mod run;
 mod shape;
+pub mod table;
 
 pub use crate::document::{Blank, Former, FormerShape, Forming, RigChoices, Roller, Shell, Speeds};
 pub use former::{CONTOUR_TOLERANCE_MM, as_turned_part, contour};

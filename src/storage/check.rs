@@ -2,7 +2,7 @@
 //! saved can be opened again. Whether the part can be made is a question for the part's own checks, not for this one.
 
 use crate::diagnostic::{Column, Place, SectionTable};
-use crate::document::{Content, Document, Ends, FORMAT_VERSION, Generator, ParabolaCut, TurnedPart};
+use crate::document::{Content, Document, Ends, FORMAT_VERSION, Generator, ParabolaCut, Shell, TurnedPart};
 use crate::part::{STARTS, Section, SectionKind};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -43,9 +43,17 @@ pub(super) fn faults(document: &Document) -> Vec<Fault> {
     match &document.content {
         Content::TurnedPart(part) => part_faults(part, &mut faults),
         Content::RollSet(set) => super::roll_set_check::faults(set, &mut faults),
-        Content::Shell(_) => {}
+        Content::Shell(shell) => shell_faults(shell, &mut faults),
     }
     faults
+}
+
+/// Figures of a shell that are none; what they cannot be is said by the rules of the process.
+fn shell_faults(shell: &Shell, faults: &mut Vec<Fault>) {
+    for (path, value) in shell.figures().into_iter().filter(|(_, value)| !value.is_finite()) {
+        let at = Place::Setting { path: path.clone() };
+        faults.push(Fault { path: format!("content.shell.{path}"), at, message: not_finite(value) });
+    }
 }
 
 /// Why a document cannot have this name: programs and exported files are named after it.

@@ -55,6 +55,24 @@ pub const fn examples() -> &'static [Example] {
             description: "Top form-roll of 1983, turned between centres by the published cycles with four tools",
             text: include_str!("../../assets/examples/roll-top.turn"),
         },
+        Example {
+            name: "CONE",
+            kind: Kind::Shell,
+            description: "Flow-turned 30° cone of the tests of 1988, wall halved by the sine law",
+            text: include_str!("../../assets/examples/cone.turn"),
+        },
+        Example {
+            name: "PARABOLA",
+            kind: Kind::Shell,
+            description: "The parabola of 1988, spun in three passes with its wall kept",
+            text: include_str!("../../assets/examples/parabola.turn"),
+        },
+        Example {
+            name: "DISH",
+            kind: Kind::Shell,
+            description: "Reflector dish, a paraboloid of 60 mm focal length in 1.2 mm sheet",
+            text: include_str!("../../assets/examples/dish.turn"),
+        },
     ]
 }
 

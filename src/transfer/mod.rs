@@ -10,6 +10,7 @@
 //! | [`ports`](mod@ports) | what can be chosen as a target, and opening it |
 //! | `folder` | programs for controls that read them from a folder |
 //! | [`virtual_lathe`] | a control without metal, with a fault switch |
+//! | [`rig`] | a flow-turning rig behind a line: protocol, host, simulated device |
 //! | [`compare`](mod@compare) | what was sent against what came back, page by page or block by block |
 //! | [`commands`] | `send`, `receive` and `lathe` for the command line |
 //!
@@ -28,6 +29,7 @@ mod port_thread;
 pub mod ports;
 pub mod protocol;
 pub mod receiver;
+pub mod rig;
 pub mod sender;
 #[cfg(feature = "serial")]
 mod serial;

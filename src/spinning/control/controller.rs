@@ -80,6 +80,8 @@ pub struct Controller {
     /// The reading that the roller is on its way to.
     going_to: Option<i32>,
     commanded: i32,
+    /// Distance from the start that the roller was last driven to.
+    driven: i32,
     creep: Creep,
     settled: (u32, u32),
     skipped: usize,
@@ -99,6 +101,7 @@ impl Controller {
             next: 0,
             going_to: None,
             commanded: 0,
+            driven: 0,
             creep: Creep::default(),
             settled: (0, 0),
             skipped: 0,
@@ -138,6 +141,12 @@ impl Controller {
         }
     }
 
+    /// Distance from its start that the roller was last driven to, steps: what lies beyond is overshoot.
+    #[must_use]
+    pub const fn driven(&self) -> i32 {
+        self.driven
+    }
+
     /// One turn of the loop: reads, decides, commands.
     pub fn step(&mut self, rig: &mut dyn Rig) -> &Phase {
         if self.phase.is_over() {
@@ -148,11 +157,11 @@ impl Controller {
             self.begin(rig, &reading);
         }
         match self.phase {
-            Phase::ToDatum => self.to_datum(rig, &reading, Phase::Advance),
+            Phase::ToDatum => self.draw_back(rig, &reading, Phase::Advance),
             Phase::Advance => self.advance(rig, &reading),
             Phase::RunUp => self.run_up(rig, &reading),
             Phase::Follow => self.follow(rig, &reading),
-            Phase::Retract => self.to_datum(rig, &reading, Phase::Settle),
+            Phase::Retract => self.draw_back(rig, &reading, Phase::Settle),
             Phase::Settle => self.settle(&reading),
             Phase::Stopping(reason) => self.stopping(rig, &reading, reason),
             Phase::Completed | Phase::Stopped { .. } => {}
@@ -185,7 +194,7 @@ impl Controller {
         self.since_s = reading.time_s;
     }
 
-    fn to_datum(&mut self, rig: &mut dyn Rig, reading: &Reading, then: Phase) {
+    fn draw_back(&mut self, rig: &mut dyn Rig, reading: &Reading, then: Phase) {
         if reading.at_datum {
             rig.set_valve(STOP);
             self.enter(then, reading);
@@ -253,6 +262,7 @@ impl Controller {
             rig.set_valve(self.plan.retract);
             self.creep.opened();
             self.going_to = Some(goal);
+            self.driven = self.plan.roller_position - goal;
         } else if target.steps > before {
             self.skipped += 1;
         }
@@ -263,8 +273,9 @@ impl Controller {
         let wanted = f64::from(self.plan.roller_position) - self.plan.wanted(reading.pulses);
         let creeping =
             if self.going_to.is_none() { self.creep.shut(&watch, reading.time_s, reading.steps) } else { None };
-        watch::off_path(&watch, reading.steps, wanted)
-            .or_else(|| watch::carriage(&watch, reading.pulses, reading.time_s - self.tip_s))
+        // A carriage counted wrong puts the roller off its path, too: the cause is told, not what follows from it.
+        watch::carriage(&watch, reading.pulses, reading.time_s - self.tip_s)
+            .or_else(|| watch::off_path(&watch, reading.steps, wanted))
             .or(creeping)
     }
 

@@ -54,7 +54,8 @@ impl Plan {
     pub fn published(points: &[PublishedPoint], roller_position: i32) -> Self {
         let target =
             |p: &PublishedPoint| Target { pulses: p.pulses, steps: i32::try_from(p.steps).unwrap_or(i32::MAX) };
-        Self::of(points.iter().map(target).collect(), roller_position)
+        let advance = valve::ADVANCE_AS_LISTED;
+        Self { advance, ..Self::of(points.iter().map(target).collect(), roller_position) }
     }
 
     const fn of(targets: Vec<Target>, roller_position: i32) -> Self {

@@ -78,7 +78,7 @@ impl fmt::Display for StopReason {
             ),
             Self::Creep { by_mm, limit_mm } => write!(
                 f,
-                "The transducer's reading changed by {by_mm:.2} mm while the valve was shut; the limit is {limit_mm:.2} mm. \
+                "The transducer's reading drifts with the valve shut, by {by_mm:.2} mm in all; the limit is {limit_mm:.2} mm. \
                  Check its supply."
             ),
             Self::Late { what, waited_s, limit_s } => {
@@ -105,17 +105,22 @@ pub(super) fn off_path(watch: &Watch, reading: u16, wanted: f64) -> Option<StopR
     (by_mm.abs() > watch.limit_mm).then_some(StopReason::OffPath { by_mm, limit_mm: watch.limit_mm })
 }
 
-/// Adds up what the reading does while the valve is shut.
+/// Adds up what the reading does while the valve is shut, and reckons what it did in all the time.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Creep {
+    /// When the valve shut first.
+    began_s: Option<f64>,
     shut_at_s: Option<f64>,
-    rest: Option<i32>,
+    rest: Option<(f64, i32)>,
+    observed_s: f64,
     sum: i32,
 }
 
 impl Creep {
     /// The roller has come to rest this long after its valve has shut, s: several times its lag.
-    const SETTLED_S: f64 = 0.08;
+    const SETTLED_S: f64 = 0.15;
+    /// Less than this is the transducer's own step to and fro.
+    const LEAST_STEPS: i32 = 4;
 
     /// The valve opens.
     pub(super) const fn opened(&mut self) {
@@ -123,17 +128,22 @@ impl Creep {
         self.rest = None;
     }
 
-    /// A reading with the valve shut; says when the sum is beyond the limit.
+    /// A reading with the valve shut; says when what it did in all is beyond the limit.
     pub(super) fn shut(&mut self, watch: &Watch, time_s: f64, reading: u16) -> Option<StopReason> {
+        let began = *self.began_s.get_or_insert(time_s);
         let since = *self.shut_at_s.get_or_insert(time_s);
         if time_s - since < Self::SETTLED_S {
             return None;
         }
         let reading = i32::from(reading);
-        if let Some(rest) = self.rest.replace(reading) {
+        if let Some((rest_s, rest)) = self.rest.replace((time_s, reading)) {
             self.sum += reading - rest;
+            self.observed_s += time_s - rest_s;
         }
-        let by_mm = f64::from(self.sum.abs()) * MM_PER_STEP;
+        if self.sum.abs() < Self::LEAST_STEPS || self.observed_s <= 0.0 {
+            return None;
+        }
+        let by_mm = f64::from(self.sum.abs()) * MM_PER_STEP * (time_s - began) / self.observed_s;
         (by_mm > watch.limit_mm).then_some(StopReason::Creep { by_mm, limit_mm: watch.limit_mm })
     }
 }

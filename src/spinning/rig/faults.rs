@@ -37,7 +37,7 @@ impl Fault {
     pub const fn all() -> [Self; 5] {
         [
             Self::LostCounts { after_pulses: 200, count: 60 },
-            Self::DriftingSupply { percent_per_min: 10.0 },
+            Self::DriftingSupply { percent_per_min: 20.0 },
             Self::StuckValve { after_pulses: 200, open: false },
             Self::StuckValve { after_pulses: 200, open: true },
             Self::StalledCarriage { after_pulses: 200 },

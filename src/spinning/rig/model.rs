@@ -18,11 +18,11 @@ pub struct RigModel {
 impl RigModel {
     /// A rig with these speeds and the delays of the published one.
     ///
-    /// The delays are guide values: with them a roller at the published speeds overshoots by about 0.4 mm and misses two of
+    /// The delays are guide values: with them a roller at the published speeds overshoots by about 0.9 mm and misses two of
     /// five points of a 30° cone, as was observed (Mohamad 1988, section 7.1).
     #[must_use]
     pub const fn new(rpm: f64, feed_per_rev: f64) -> Self {
-        Self { rpm, feed_per_rev, loop_s: 0.001_5, lag_s: 0.008, run_up_mm: 4.0 }
+        Self { rpm, feed_per_rev, loop_s: 0.001_5, lag_s: 0.022, run_up_mm: 4.0 }
     }
 
     /// Speed of the carriage, mm/s.

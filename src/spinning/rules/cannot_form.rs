@@ -10,7 +10,7 @@ pub(super) fn check(checked: &Checked<'_>) -> Vec<Diagnostic> {
         return Vec::new();
     }
     let thickness = checked.shell.blank.thickness;
-    if !(thickness > 0.0) {
+    if thickness.is_nan() || thickness <= 0.0 {
         let message = format!("The blank is {} thick; it must be more than 0.", checked.length(thickness));
         return vec![Diagnostic::error("blank-thickness", setting("blank.thickness"), message)];
     }

@@ -10,7 +10,7 @@ const RANGE_MM: [f64; 2] = [0.0508, 1.27];
 pub(super) fn check(checked: &Checked<'_>) -> Vec<Diagnostic> {
     let feed = checked.shell.speeds.feed_per_rev;
     let place = setting("speeds.feed_per_rev");
-    if !(feed > 0.0) {
+    if feed.is_nan() || feed <= 0.0 {
         let message = format!("The feed is {} for one turn; it must be more than 0.", checked.length(feed));
         return vec![Diagnostic::error("shell-feed", place, message)];
     }

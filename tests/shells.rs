@@ -1,0 +1,91 @@
+//! The shipped shells from document to proved program and tables.
+
+#![allow(clippy::unwrap_used, reason = "a test may stop at once")]
+
+use std::sync::Arc;
+use turnwright::cancel::Cancel;
+use turnwright::document::{Content, Document, FormerShape, Kind};
+use turnwright::machine::Catalog;
+use turnwright::output;
+use turnwright::regen::{self, Cache, Derived};
+use turnwright::storage::{document_from_text, examples_of};
+
+fn example(name: &str) -> Document {
+    let example = examples_of(Kind::Shell).find(|e| e.name == name).unwrap();
+    document_from_text(name, example.text).unwrap()
+}
+
+fn derived(document: Document) -> Derived {
+    regen::regenerate(&Arc::new(document), &Catalog::shipped(), &mut Cache::default(), &Cancel::default()).unwrap()
+}
+
+#[test]
+fn every_example_is_proved_without_a_word() {
+    assert_eq!(examples_of(Kind::Shell).count(), 3);
+    for example in examples_of(Kind::Shell) {
+        let made = derived(document_from_text(example.name, example.text).unwrap());
+        assert_eq!(made.diagnostics, [], "{}", example.name);
+        let shell = made.shell.as_ref().unwrap();
+        assert!(shell.proof.passed && !shell.programs.is_empty(), "{}", example.name);
+        assert!(!output::has_errors(&made));
+        println!(
+            "{}: gap {:+.4} to {:+.4} mm of the wall, clearance {:.2} mm, {:.1} s, {} blocks",
+            example.name,
+            shell.proof.tightest_mm,
+            shell.proof.widest_mm,
+            shell.proof.clearance_mm,
+            shell.proof.times.total_s,
+            shell.post.programs[0].blocks.len()
+        );
+    }
+}
+
+#[test]
+fn a_build_holds_program_tables_and_report() {
+    let files = output::files(&derived(example("CONE")));
+    let names: Vec<&str> = files.iter().map(|f| f.name.as_str()).collect();
+    assert_eq!(names, ["CONE.ngc", "CONE.csv", "CONE.h", "CONE.shell.json", "CONE.proof.json", "report.json"]);
+    let report: serde_json::Value = serde_json::from_str(&files[5].text).unwrap();
+    assert_eq!((&report["good"], &report["items"][0]["proved"]), (&true.into(), &true.into()));
+    // 50 mm of contour in steps of eight pulses, start and end included.
+    assert_eq!(files[1].text.lines().count(), 1 + 787 / 8 + 2);
+}
+
+#[test]
+fn arcs_of_the_contour_are_arcs_in_the_program() {
+    let made = derived(example("DISH"));
+    let text = &made.shell.as_ref().unwrap().programs[0].text;
+    assert!(text.lines().filter(|l| l.contains("G2") || l.contains("G3")).count() >= 2, "{text}");
+    assert!(text.contains("G96"), "{text}");
+}
+
+#[test]
+fn a_shell_that_cannot_be_formed_gets_its_rule_and_no_program() {
+    let mut document = example("CONE");
+    let Content::Shell(shell) = &mut document.content else { unreachable!("a shell") };
+    let FormerShape::Cone { half_angle_deg, .. } = &mut shell.former.shape else { unreachable!("a cone") };
+    *half_angle_deg = 7.0;
+    let made = derived(document);
+    let codes: Vec<&str> = made.diagnostics.iter().map(|d| d.code.as_str()).collect();
+    assert_eq!(codes, ["half-angle-small", "passes-few", "reduction", "surface-speed"]);
+    assert!(output::has_errors(&made));
+    let shell = made.shell.unwrap();
+    assert!(shell.programs.is_empty() && !shell.shape.stations.is_empty());
+}
+
+#[test]
+fn an_edit_of_the_rig_leaves_program_and_proof_alone() {
+    let catalog = Catalog::shipped();
+    let mut cache = Cache::default();
+    let mut document = example("CONE");
+    let first = regen::regenerate(&Arc::new(document.clone()), &catalog, &mut cache, &Cancel::default())
+        .unwrap()
+        .shell
+        .unwrap();
+    let Content::Shell(shell) = &mut document.content else { unreachable!("a shell") };
+    shell.rig.rpm = 135.0;
+    let second =
+        regen::regenerate(&Arc::new(document), &catalog, &mut cache, &Cancel::default()).unwrap().shell.unwrap();
+    assert!(Arc::ptr_eq(&first.post, &second.post) && Arc::ptr_eq(&first.shape, &second.shape));
+    assert!(Arc::ptr_eq(&first.proof, &second.proof));
+}
