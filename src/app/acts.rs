@@ -297,6 +297,7 @@ impl Desk {
                 self.layout().bring_to_front(Pane::Sections);
                 self.layout().bring_to_front(Pane::Inspector);
             }
+            Place::Setting { .. } => self.layout().bring_to_front(Pane::ShellData),
             Place::Element { .. }
             | Place::Station { .. }
             | Place::Roll { .. }
