@@ -69,6 +69,8 @@ pub(crate) struct Requests {
     pub(crate) hovered: Option<Hovered>,
     /// Position of the pointer in the document: z and diameter.
     pub(crate) pointer: Option<(f64, f64)>,
+    /// The same in words, where there is neither z nor diameter.
+    pub(crate) place: Option<String>,
     /// Machines, tools and materials to choose from.
     pub(crate) catalog: Arc<Catalog>,
     complaints: Vec<String>,
@@ -76,7 +78,7 @@ pub(crate) struct Requests {
 
 impl Requests {
     fn new(catalog: Arc<Catalog>) -> Self {
-        Self { actions: Vec::new(), hovered: None, pointer: None, catalog, complaints: Vec::new() }
+        Self { actions: Vec::new(), hovered: None, pointer: None, place: None, catalog, complaints: Vec::new() }
     }
 
     /// Says a sentence to the person.
@@ -140,6 +142,7 @@ pub struct Desk {
     start: StartPage,
     toasts: Toasts,
     pointer: Option<(f64, f64)>,
+    place: Option<String>,
     title: String,
 }
 
@@ -168,6 +171,7 @@ impl Desk {
             after_save: None,
             toasts: Toasts::default().with_margin(egui::vec2(16.0, 52.0)),
             pointer: None,
+            place: None,
             title: String::new(),
         };
         desk.say_all(&complaints);
@@ -317,7 +321,7 @@ impl Desk {
         });
         if let Some(session) = &self.session {
             Panel::bottom("status").frame(bar(Margin::symmetric(14, 4))).show(ui, |ui| {
-                status::show(ui, session, self.pointer);
+                status::show(ui, session, self.pointer, self.place.as_deref());
             });
         }
         let ground = egui::Frame::new().fill(colors.ground).inner_margin(Margin::same(8));
@@ -336,6 +340,7 @@ impl Desk {
 
     fn finish(&mut self, ctx: &Context, requests: Requests) {
         self.pointer = requests.pointer;
+        self.place = requests.place;
         if self.session.as_mut().is_some_and(|session| session.hover(requests.hovered)) {
             ctx.request_repaint();
         }

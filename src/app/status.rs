@@ -6,7 +6,7 @@ use crate::session::{SaveState, Session};
 use egui::{Align, Layout, RichText, Ui};
 
 /// Shows pointer, last step, saved state and the time of the last regeneration.
-pub(crate) fn show(ui: &mut Ui, session: &Session, pointer: Option<(f64, f64)>) {
+pub(crate) fn show(ui: &mut Ui, session: &Session, pointer: Option<(f64, f64)>, place: Option<&str>) {
     let colors = Colors::of(ui.visuals());
     let quiet = |text: String| RichText::new(text).size(theme::SMALL + 0.5).color(colors.plot.quiet);
     let unit = session.document().unit;
@@ -15,6 +15,9 @@ pub(crate) fn show(ui: &mut Ui, session: &Session, pointer: Option<(f64, f64)>) 
         if let Some((z, d)) = pointer {
             let text = format!("z {}  ⌀ {} {}", fixed(z, unit.decimals()), fixed(d, unit.decimals()), unit.symbol());
             ui.label(quiet(text));
+        }
+        if let Some(place) = place {
+            ui.label(quiet(place.to_owned()));
         }
         if let Some(label) = session.history().undo_label() {
             ui.label(quiet(format!("undo: {label}")));

@@ -1,4 +1,4 @@
-//! Plots of a turned part: profile, cut, solid, thumbnails.
+//! Plots: profile, cut, solid and thumbnails of a turned part, stations of a roll-forming line.
 //!
 //! Plots take data in and give events out. They know neither the session nor the transfer and never edit a document.
 
@@ -12,6 +12,7 @@ mod regions;
 #[cfg(test)]
 mod sample;
 mod solid;
+mod station;
 mod thumbnail;
 mod time_bar;
 mod tip;
@@ -23,6 +24,7 @@ pub use cut::{CutEvent, CutScene, CutView, clock, cut_plot};
 pub use palette::{LeftoverClass, Palette};
 pub use profile::{Dimension, End, NodeMove, Phase, ProfileEvent, ProfileScene, ProfileView, SectionEnd, profile_plot};
 pub use solid::{SolidScene, SolidView, solid_view};
+pub use station::{StationEvent, StationScene, StationView, station_plot};
 pub use thumbnail::thumbnail;
 pub use time_bar::{TimeShare, time_bar};
 pub use tool_picture::tool_picture;

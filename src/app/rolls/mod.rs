@@ -14,6 +14,7 @@ mod words;
 
 use super::desk::Requests;
 use super::layout::Pane;
+use super::plots::StationView;
 use crate::document::{Content, Document, RollKind, RollRef, RollSet, Station};
 use crate::session::Session;
 use egui::Ui;
@@ -23,6 +24,7 @@ use egui::Ui;
 pub(crate) struct RollsViews {
     elements: elements::ElementsView,
     angles: angles::AnglesView,
+    station: StationView,
 }
 
 /// The set of form-rolls in a document, to be changed.
