@@ -163,6 +163,25 @@ impl Segment {
             .fold(ends, |bounds, angle| bounds.including(on_circle(center, radius, angle)))
     }
 
+    /// An arc in parts that end where it passes beside, above or below its centre, so that its chords reach as far out as it
+    /// does itself; a line as it is.
+    #[must_use]
+    pub fn quarters(&self) -> Vec<Self> {
+        let Self::Arc { start, end, center, ccw } = *self else { return vec![*self] };
+        let (radius, from, sweep) = (start.distance(center), angle_of(start - center), self.sweep());
+        let share = |quarter: i32| (f64::from(quarter) * FRAC_PI_2 - from) / sweep;
+        let mut inside: Vec<i32> = (-6..=6).filter(|&k| share(k) > 0.0 && share(k) < 1.0).collect();
+        inside.sort_by(|a, b| share(*a).total_cmp(&share(*b)));
+        let sides = [(1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0)];
+        let at = |quarter: &i32| {
+            let (z, r) =
+                sides.into_iter().cycle().nth(quarter.rem_euclid(4).unsigned_abs() as usize).unwrap_or_default();
+            Point::new(center.z + radius * z, center.r + radius * r)
+        };
+        let ends: Vec<Point> = std::iter::once(start).chain(inside.iter().map(at)).chain([end]).collect();
+        ends.windows(2).map(|w| Self::Arc { start: w[0], end: w[1], center, ccw }).collect()
+    }
+
     /// Points along the segment without its start, no chord further than `tolerance` mm from the arc.
     #[must_use]
     pub fn polyline_points(&self, tolerance: f64) -> Vec<Point> {

@@ -2,7 +2,7 @@
 
 use super::grid::{GridPoint, Ring, Window, hull, to_grid, turn};
 use super::stock::CHORD_TOLERANCE_MM;
-use crate::geometry::{Contour, Segment};
+use crate::geometry::{Contour, Point, Segment};
 use crate::machine::ToolOutline;
 
 /// A line whose ends differ by less than this in radius, mm, lies level at the nose.
@@ -82,14 +82,20 @@ fn window_of(pieces: &[Ring]) -> Window {
 }
 
 fn chords(segment: &Segment) -> Vec<Edge> {
-    let points: Vec<GridPoint> =
-        std::iter::once(segment.start()).chain(segment.polyline_points(CHORD_TOLERANCE_MM)).map(to_grid).collect();
+    let points: Vec<GridPoint> = std::iter::once(segment.start()).chain(points(segment)).map(to_grid).collect();
     points.windows(2).map(|w| [w[0], w[1]]).collect()
+}
+
+/// Points along a segment without its start. A nose has a corner wherever it touches a wall, a cylinder or a face: the chords of
+/// those would leave half a micrometre on them, in which whatever passes later would seem to stand.
+fn points(segment: &Segment) -> Vec<Point> {
+    segment.quarters().iter().flat_map(|part| part.polyline_points(CHORD_TOLERANCE_MM)).collect()
 }
 
 /// Convex rings, counter-clockwise, that cover the inside of a closed contour.
 fn convex_pieces(contour: &Contour) -> Vec<Ring> {
-    let mut ring: Ring = contour.polyline(CHORD_TOLERANCE_MM).into_iter().map(to_grid).collect();
+    let first = contour.segments.first().map(Segment::start);
+    let mut ring: Ring = first.into_iter().chain(contour.segments.iter().flat_map(points)).map(to_grid).collect();
     ring.dedup();
     if ring.len() > 1 && ring.first() == ring.last() {
         ring.pop();
@@ -158,7 +164,6 @@ fn joined(mut pieces: Vec<Ring>) -> Vec<Ring> {
 mod tests {
     use super::super::grid::area_mm2;
     use super::*;
-    use crate::geometry::Point;
 
     fn polygon(points: &[(f64, f64)]) -> Contour {
         Contour::polygon(&points.iter().map(|&(z, r)| Point::new(z, r)).collect::<Vec<_>>())
@@ -188,6 +193,22 @@ mod tests {
         let insert = polygon(&[(0.0, 0.0), (5.0, 4.0), (5.5, 10.0), (0.5, 6.0)]);
         let tool = ToolOutline { insert, cutting: vec![true, true, true, false], ..ToolOutline::default() };
         assert_eq!(back_edges(&tool).len(), 1);
+    }
+
+    #[test]
+    fn a_nose_touches_walls_and_cylinders_with_a_corner() {
+        // A nose of 0.4 mm between edges that lean by 3 and by 52 degrees: chords of equal length would miss both sides.
+        let (center, on) =
+            (Point::new(0.4, 0.4), |deg: f64| (deg.to_radians().cos() * 0.4, deg.to_radians().sin() * 0.4));
+        let at = |deg: f64| Point::new(center.z + on(deg).0, center.r + on(deg).1);
+        let nose = Segment::Arc { start: at(177.0), end: at(318.0), center, ccw: true };
+        let insert = Contour::new(vec![
+            nose,
+            Segment::line(at(318.0), Point::new(4.0, 6.0)),
+            Segment::line(Point::new(4.0, 6.0), at(177.0)),
+        ]);
+        let window = window_of(&convex_pieces(&insert));
+        assert_eq!(window.min, GridPoint::new(0, 0), "{window:?}");
     }
 
     #[test]
