@@ -5,6 +5,9 @@ use super::piece::{Piece, SAME_MM};
 /// Values nearer than this are equal when the larger of two functions is sought, mm: what rounding makes of one value.
 const EQUAL_MM: f64 = 1e-10;
 
+/// Stretches that are narrower than this are no place for a tool, mm: far below any control's smallest step.
+const PIT_MM: f64 = 1e-6;
+
 /// Pieces in order of z; neighbours may differ in value (a face) and may have a gap between them (no value there).
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Chain {
@@ -95,17 +98,12 @@ impl Chain {
         }
     }
 
-    /// Takes away what lies between `low` and `high` where that reaches the top; gives the stretches where it does not, and
-    /// something hangs over what was taken.
-    pub(super) fn uncover(&mut self, low: &Self, high: &Self) -> Vec<Run> {
-        let (Some(first), Some(last)) = (low.pieces.first(), low.pieces.last()) else { return Vec::new() };
+    /// Takes away what lies between `low` and `high` where that reaches the top; where it does not, something hangs over what was
+    /// taken, and the function stays.
+    pub(super) fn uncover(&mut self, low: &Self, high: &Self) {
+        let (Some(first), Some(last)) = (low.pieces.first(), low.pieces.last()) else { return };
         let near = self.clipped(first.z0, last.z1);
-        let (taken, hanging) = (near.runs_over(low, EQUAL_MM), near.runs_over(high, EQUAL_MM));
-        let hidden: Vec<Run> = hanging
-            .iter()
-            .flat_map(|h| taken.iter().map(move |t| Run { z0: h.z0.max(t.z0), z1: h.z1.min(t.z1) }))
-            .filter(|run| run.width() > SAME_MM)
-            .collect();
+        let hidden = near.runs_over(high, EQUAL_MM);
         let mut from = first.z0;
         for run in hidden.iter().chain([&Run { z0: last.z1, z1: last.z1 }]) {
             if run.z0 - from > SAME_MM {
@@ -113,18 +111,18 @@ impl Chain {
             }
             from = run.z1;
         }
-        hidden
     }
 
-    /// Takes a stretch out.
-    pub(super) fn remove(&mut self, z0: f64, z1: f64) {
+    /// Puts another function in the place of a stretch.
+    pub(super) fn replace(&mut self, z0: f64, z1: f64, by: &Self) {
         let from = self.pieces.partition_point(|p| p.z1 <= z0);
-        let to = self.pieces.partition_point(|p| p.z0 < z1);
+        let to = self.pieces.partition_point(|p| p.z0 < z1).max(from);
         let Some(over) = self.pieces.get(from..to) else { return };
-        let sides = [(f64::NEG_INFINITY, z0), (z1, f64::INFINITY)];
-        let left: Vec<Piece> =
-            sides.iter().flat_map(|&(a, b)| over.iter().filter_map(move |p| p.clipped(a, b))).collect();
-        self.pieces.splice(from..to, left);
+        let before = over.iter().filter_map(|p| p.clipped(f64::NEG_INFINITY, z0));
+        let behind = over.iter().filter_map(|p| p.clipped(z1, f64::INFINITY));
+        let mut now = Self::default();
+        before.chain(by.pieces.iter().copied()).chain(behind).for_each(|p| now.push(p));
+        self.pieces.splice(from..to, now.pieces);
     }
 
     /// The larger of two functions; where one has a gap, the other.
@@ -199,6 +197,34 @@ impl Chain {
                 Self::largest(left).max(&Self::largest(right))
             }
         }
+    }
+
+    /// The function without pits narrower than [`PIT_MM`], which rounding leaves where pieces that should meet miss one another:
+    /// they take the value of the higher side.
+    pub(super) fn without_pits(mut self) -> Self {
+        let mut k = 0;
+        while k < self.pieces.len() {
+            let (Some(pit), before, after) = (
+                self.pieces.get(k).copied(),
+                k.checked_sub(1).and_then(|b| self.pieces.get(b)),
+                self.pieces.get(k + 1),
+            ) else {
+                break;
+            };
+            let bottom = pit.at(f64::midpoint(pit.z0, pit.z1));
+            let left = before.filter(|b| pit.z0 - b.z1 <= SAME_MM).map(|b| b.at(b.z1)).filter(|r| *r > bottom);
+            let right = after.filter(|a| a.z0 - pit.z1 <= SAME_MM).map(|a| a.at(a.z0)).filter(|r| *r > bottom);
+            if pit.z1 - pit.z0 > PIT_MM || (left.is_none() && right.is_none()) {
+                k += 1;
+                continue;
+            }
+            self.pieces.remove(k);
+            let side = if left >= right { self.pieces.get_mut(k.wrapping_sub(1)) } else { self.pieces.get_mut(k) };
+            if let Some(side) = side {
+                (side.z0, side.z1) = (side.z0.min(pit.z0), side.z1.max(pit.z1));
+            }
+        }
+        self
     }
 
     /// Area between this function and another one where this is above it, mm²; where the other has a gap nothing counts.
@@ -312,6 +338,22 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn pits_of_rounding_are_filled_from_the_higher_side() {
+        let pieces = vec![
+            Piece::level(0.0, 1.0, 5.0),
+            Piece::level(1.0, 1.0 + 2e-9, 2.0),
+            Piece::level(1.0 + 2e-9, 2.0, 4.0),
+            Piece::level(2.0, 2.0 + 2e-9, 6.0),
+            Piece::level(2.0 + 2e-9, 3.0, 1.0),
+        ];
+        let filled = Chain { pieces: pieces.clone() }.without_pits();
+        assert_eq!(filled.pieces.len(), 4, "a peak stays: {filled:?}");
+        assert_eq!((filled.pieces[0].z1, filled.at(1.0 + 1e-9)), (1.0 + 2e-9, Some(5.0)));
+        let step = Chain { pieces: pieces[..2].iter().rev().map(Piece::mirrored).collect() }.without_pits();
+        assert_eq!(step.pieces, [Piece { z0: -1.0 - 2e-9, z1: 0.0, ..Piece::level(-1.0, 0.0, 5.0) }]);
     }
 
     #[test]

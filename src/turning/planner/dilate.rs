@@ -20,7 +20,7 @@ impl Shape {
             .iter()
             .flat_map(|piece| self.parts.iter().map(move |part| over_piece(part, piece)))
             .collect();
-        Chain::largest(&leaves)
+        Chain::largest(&leaves).without_pits()
     }
 
     /// The shape's boundary put on one point.

@@ -4,7 +4,7 @@ use super::chain::{Chain, Run};
 use super::link::{self, CLEARANCE_MM, go};
 use super::path::Path;
 use super::piece::{Piece, SAME_MM};
-use super::tool::Cutter;
+use super::tool::{Cutter, Use};
 use super::trace::{ArcRules, simplified, trace};
 use super::work::{AIR_MM, Limit, Work};
 use crate::geometry::{Point, Segment};
@@ -12,7 +12,10 @@ use crate::geometry::{Point, Segment};
 /// How far a pass begins and ends beyond what it must cut, mm.
 const OVERLAP_MM: f64 = 0.3;
 
-/// Passes that are closer than this are made in one, mm.
+/// The same of blades, whose sides cannot cut the skin that rounding leaves on a wall.
+const BLADE_OVERLAP_MM: f64 = 0.02;
+
+/// Passes that are closer than this are made in one, mm; not those of blades.
 const JOINED_MM: f64 = 3.0;
 
 /// How often the limit is raised over what would be left beside the pass.
@@ -76,12 +79,16 @@ impl Follow<'_> {
         let reached = Work::left_by(&self.cutter.edge, &segments(&self.limit.chain));
         let (from, to) = work.range();
         let (left, right) = self.cutter.contact();
+        let is_blade = matches!(self.cutter.r#use, Use::Blade { .. });
+        // A blade goes as far as its leading corner has to: what its other corner could cut is cut the other way round.
+        let (joined, right, beyond) =
+            if is_blade { (0.0, left, BLADE_OVERLAP_MM) } else { (JOINED_MM, right, OVERLAP_MM) };
         let mut runs: Vec<Run> = Vec::new();
         for full in work.stock.clipped(from, to).runs_over(&reached, self.worth) {
-            let z0 = (full.z0 - right - OVERLAP_MM).max(self.limit.z0);
-            let z1 = self.begun_at_the_wall(full.z1, (full.z1 - left + OVERLAP_MM).min(self.limit.z1));
+            let z0 = (full.z0 - right - beyond).max(self.limit.z0);
+            let z1 = self.begun_at_the_wall(full.z1, (full.z1 - left + beyond).min(self.limit.z1));
             match runs.last_mut() {
-                Some(last) if z0 - last.z1 < JOINED_MM => last.z1 = last.z1.max(z1),
+                Some(last) if z0 - last.z1 < joined => last.z1 = last.z1.max(z1),
                 _ => runs.push(Run { z0, z1 }),
             }
         }

@@ -10,6 +10,7 @@
 //! | `piece`, `chain` | functions of z: values, the larger of two, where one is above the other |
 //! | `outline`, `shape`, `dilate` | outlines of tools turned over and rolled along functions |
 //! | `tool`, `guard`, `work` | what a tool is for, what of it must not meet stock; contour, jaws, stock, limits |
+//! | `hanging` | stock that hangs over what was cut |
 //! | `trace`, `corner`, `path`, `link` | limits as paths that a control can take; moves; ways through air |
 //! | `rough`, `follow`, `groove`, `thread` | one kind of operation each |
 //! | `side` | a bore seen as an outside |
@@ -28,6 +29,7 @@ mod follow;
 mod groove;
 mod guard;
 mod hand;
+mod hanging;
 mod left;
 mod link;
 mod order;

@@ -220,7 +220,7 @@ impl<'a> Path<'a> {
     /// True if something hangs over within reach of the tool between two positions.
     pub(super) fn has_hanging(&self, z0: f64, z1: f64) -> bool {
         let (from, to) = self.window(z0, z1);
-        self.work.under.over(from, to).next().is_some()
+        self.work.hanging.is_over(from, to)
     }
 
     /// The same as [`Path::air`] from where the tool is: without what hangs over it, which [`Path::hangs_over`] knows.
@@ -233,17 +233,12 @@ impl<'a> Path<'a> {
     /// True if the tool would run into something that hangs over it on its straight way to `to`.
     pub(super) fn hangs_over(&self, to: Point) -> bool {
         let (from, end) = self.window(self.at.z.min(to.z), self.at.z.max(to.z));
-        let mut near = self.work.under.over(from, end).peekable();
-        if near.peek().is_none() {
+        if !self.work.hanging.is_over(from, end) {
             return false;
         }
         let way = Segment::line(self.at, to);
         let (high, low) = (covered_along(&self.cutter.whole, &way), left_along(&self.cutter.below, &way));
-        near.any(|hanging| {
-            let over = high.clipped(hanging.z0, hanging.z1).runs_over(&Chain { pieces: vec![*hanging] }, TOUCH_MM);
-            let cover = |run: &Run| self.work.cover.clipped(run.z0, run.z1);
-            over.iter().any(|run| !cover(run).runs_over(&low.clipped(run.z0, run.z1), TOUCH_MM).is_empty())
-        })
+        self.work.hanging.meets(&low, &high, TOUCH_MM)
     }
 
     /// The first place of a way where holder or a side that cannot cut runs into stock.

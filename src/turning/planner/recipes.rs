@@ -33,33 +33,44 @@ pub(super) fn add(task: &Task<'_>, datum: Point, operations: &mut [Operation]) {
         };
         let tool = task.tools.get(&operation.tool).filter(|tool| tool.nose_radius > 0.0);
         if let Some(tool) = tool {
-            let open = Open { beyond_z: task.setup.stock.bounds().map_or(f64::INFINITY, |b| b.max.z), above: !inside };
-            operation.recipes = passes(operation, datum, tool, open);
+            let stock = task.setup.stock.bounds().map_or_else(Point::default, |b| b.max);
+            operation.recipes = passes(operation, datum, tool, &Open { stock, tool, above: !inside });
         }
     }
 }
 
 /// Where there is nothing but air.
 #[derive(Debug, Clone, Copy)]
-struct Open {
-    /// Beyond this position.
-    beyond_z: f64,
+struct Open<'a> {
+    /// Free end and largest radius of the stock.
+    stock: Point,
+    tool: &'a ToolOutline,
     /// Outside it is open above any place that a tool came to from above.
     above: bool,
 }
 
-impl Open {
+impl Open<'_> {
     /// The place `by` mm further back on the way from `from` to `to`, if there is air all the way.
-    fn further(self, from: Point, to: Point, by: f64) -> Option<Point> {
+    fn further(&self, from: Point, to: Point, by: f64) -> Option<Point> {
         let back = (from - to).try_normalize(0.0)?;
+        let place = from + back * by;
         let straight_up = self.above && back.x.abs() <= SAME_MM && back.y > 0.0;
-        let in_front = from.z >= self.beyond_z && back.x >= 0.0;
-        (straight_up || in_front).then(|| from + back * by)
+        let in_front = from.z >= self.stock.z && back.x >= 0.0 && self.is_clear(from, place);
+        (straight_up || in_front).then_some(place)
+    }
+
+    /// True if all of the tool is in front of the stock on its way between two places, or above it where it may be.
+    fn is_clear(&self, from: Point, to: Point) -> bool {
+        let sides = self.tool.insert.segments.iter().chain(&self.tool.holder.segments).map(Segment::bounds);
+        let low = Point::new(from.z.min(to.z), from.r.min(to.r));
+        sides.into_iter().all(|side| {
+            side.min.z + low.z >= self.stock.z - SAME_MM || (self.above && side.min.r + low.r >= self.stock.r)
+        })
     }
 }
 
 /// The recipes of an operation's passes.
-fn passes(operation: &mut Operation, datum: Point, tool: &ToolOutline, open: Open) -> Vec<Recipe> {
+fn passes(operation: &mut Operation, datum: Point, tool: &ToolOutline, open: &Open<'_>) -> Vec<Recipe> {
     let mut recipes = Vec::new();
     let mut at = operation.change.unwrap_or(datum);
     let mut first = 0;
@@ -238,6 +249,22 @@ mod tests {
     use super::*;
     use crate::machine::Catalog;
     use crate::turning::Cut;
+
+    #[test]
+    fn the_way_to_a_pass_is_made_longer_only_where_all_of_the_tool_is_clear() {
+        let (catalog, stock) = (Catalog::shipped(), Point::new(50.0, 20.0));
+        let (from, to) = (Point::new(52.0, 6.0), Point::new(51.9, 7.0));
+        for (tool, outwards) in [("svjbr-vbmt-04", true), ("6t-button-5", false)] {
+            let tool = catalog.tool(tool).unwrap().outline();
+            let open = Open { stock, tool: &tool, above: true };
+            assert_eq!(open.further(from, to, 4.0).is_some(), outwards, "a shank over the stock stays where it is");
+            assert!(
+                open.further(Point::new(30.0, 22.0), Point::new(30.0, 20.0), 4.0).is_some(),
+                "straight up it is open"
+            );
+            assert!(open.further(Point::new(30.0, 22.0), Point::new(30.1, 20.0), 4.0).is_none());
+        }
+    }
 
     #[test]
     fn a_wall_that_is_lower_than_the_nose_needs_is_left_to_the_path() {

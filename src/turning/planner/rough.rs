@@ -62,6 +62,37 @@ impl Stroke {
             ..*self
         })
     }
+
+    /// The same begun where there is air.
+    fn begun_in_air(self, path: &Path<'_>) -> Self {
+        let low = path.air(self.start.z, self.start.z, self.r).at(self.start.z);
+        let height = low.map_or(self.start.r, |low| self.start.r.max(low + CLEARANCE_MM));
+        Self { start: Point::new(self.start.z, height), ..self }
+    }
+
+    /// All of it as far as `a`. The tool comes from above the ramp's beginning, so a first line of it is cut short.
+    fn way(&self, a: f64) -> Vec<Segment> {
+        let mut way = Vec::with_capacity(self.ramp.len() + 3);
+        for segment in &self.ramp {
+            if let Segment::Arc { start, .. } = segment {
+                self.straight(&mut way, *start);
+                way.push(*segment);
+            } else {
+                self.straight(&mut way, segment.end());
+            }
+        }
+        self.straight(&mut way, Point::new(self.b, self.r));
+        self.straight(&mut way, Point::new(a, self.r));
+        way
+    }
+
+    /// Goes on straight to a place.
+    fn straight(&self, way: &mut Vec<Segment>, to: Point) {
+        let at = way.last().map_or(self.start, Segment::end);
+        if at.distance(to) > SAME_MM {
+            way.push(Segment::line(at, to));
+        }
+    }
 }
 
 /// What roughing needs to know.
@@ -111,7 +142,7 @@ impl Rough<'_> {
         let mut blocked = Vec::new();
         for full in wanted(&path.touch(run.z0, run.z1, r), r).into_iter().rev() {
             let stroke = self.stroke(parent, run, full, r);
-            let entries = SHIFTS_MM.into_iter().filter_map(|by| stroke.shifted(by));
+            let entries = SHIFTS_MM.into_iter().filter_map(|by| stroke.shifted(by)).map(|s| s.begun_in_air(path));
             let found = entries.map(|s| (Self::shortened(path, &s), s)).find(|(a, _)| a.is_some());
             let Some((Some(a), entered)) = found else {
                 blocked.push(Run { z0: full.z0, z1: full.z1 });
@@ -151,10 +182,9 @@ impl Rough<'_> {
     fn shortened(path: &Path<'_>, stroke: &Stroke) -> Option<f64> {
         let mut a = stroke.a;
         for _ in 0..MOST_TRIES {
-            let level = Segment::line(Point::new(stroke.b, stroke.r), Point::new(a, stroke.r));
-            let way: Vec<Segment> = stroke.ramp.iter().copied().chain([level]).collect();
+            let way = stroke.way(a);
             let Some(blocked) = path.blocked(&way) else { return Some(a) };
-            if blocked.index < stroke.ramp.len() {
+            if blocked.index + 1 < way.len() {
                 return None;
             }
             a = blocked.zone.z1 + SHORTENED_MM;
@@ -193,20 +223,10 @@ impl Rough<'_> {
         if path.since_home() + MOST_MOVES_OF_A_STROKE > self.room {
             path.home();
         }
-        let air = path.air(stroke.start.z, stroke.start.z, stroke.r).at(stroke.start.z);
-        // On its own height the stroke begins in air.
-        let height = air.map_or(stroke.start.r, |low| stroke.start.r.max(low + CLEARANCE_MM));
-        go(path, Point::new(stroke.start.z, height));
-        match stroke.ramp.first() {
-            Some(Segment::Line { .. }) | None => {}
-            Some(arc) => path.line(arc.start()),
+        go(path, stroke.start);
+        for segment in stroke.way(stroke.a) {
+            path.along(&segment);
         }
-        // The tool comes from above the ramp's beginning, so a first line may be cut short.
-        for segment in &stroke.ramp {
-            path.along(segment);
-        }
-        path.line(Point::new(stroke.b, stroke.r));
-        path.line(Point::new(stroke.a, stroke.r));
     }
 }
 

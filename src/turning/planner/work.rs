@@ -1,6 +1,7 @@
 //! The work in the machine: the contour to be kept, the jaws, and the stock that is left.
 
 use super::chain::Chain;
+use super::hanging::Hanging;
 use super::outline::{Turn, upper_pieces};
 use super::piece::Piece;
 use super::shape::Shape;
@@ -36,8 +37,8 @@ pub(super) struct Work {
     pub(super) stock: Chain,
     /// The top of all that is in the machine: a leaning edge leaves slivers that hang over what it cut.
     pub(super) cover: Chain,
-    /// The lower side of what hangs over.
-    pub(super) under: Chain,
+    /// What hangs over.
+    pub(super) hanging: Hanging,
     /// Jaws, mandrel and tailstock with the distance kept from them.
     pub(super) jaws: Chain,
     /// The same with the distance kept on ways through air.
@@ -80,7 +81,7 @@ impl Work {
         Self {
             part,
             cover: stock.clone(),
-            under: Chain::default(),
+            hanging: Hanging::default(),
             stock,
             jaws: Shape::disc(JAW_CLEARANCE_MM).over(held),
             passed: Shape::disc(PASSING_MM).over(held),
@@ -97,7 +98,7 @@ impl Work {
             part: self.part.mirrored(),
             stock: self.stock.mirrored(),
             cover: self.cover.mirrored(),
-            under: self.under.mirrored(),
+            hanging: self.hanging.mirrored(),
             jaws: self.jaws.mirrored(),
             passed: self.passed.mirrored(),
             from_z: -self.face_z,
@@ -178,19 +179,12 @@ impl Work {
 
     /// Takes away what the insert of a tool covers along a segment.
     pub(super) fn take(&mut self, cutter: &Cutter, segment: &Segment) {
-        let low = left_along(&cutter.edge, segment);
+        let (low, high) = (left_along(&cutter.edge, segment), covered_along(&cutter.top, segment));
+        let (Some(first), Some(last)) = (low.pieces.first(), low.pieces.last()) else { return };
+        let (z0, z1) = (first.z0, last.z1);
+        self.hanging.cut(&low, &high, &self.stock);
         self.stock.cut(&low);
-        let high = covered_along(&cutter.top, segment);
-        if let (Some(first), Some(last)) = (low.pieces.first(), low.pieces.last()) {
-            let hidden = self.cover.uncover(&low, &high);
-            let mut from = first.z0;
-            for run in &hidden {
-                self.under.remove(from, run.z0);
-                self.under = self.under.max(&high.clipped(run.z0, run.z1));
-                from = run.z1;
-            }
-            self.under.remove(from, last.z1);
-        }
+        self.cover.replace(z0, z1, &self.hanging.top_over(self.stock.clipped(z0, z1), z0, z1));
     }
 
     /// What is left below a shape with its radius turned over that goes along `path`.

@@ -160,9 +160,10 @@ impl<'a> Inside<'a> {
         let station = chosen.unwrap_or(step.tool);
         let end_z = outside.work.end_z();
         let work = &mut self.order.work;
-        for chain in [&mut work.stock, &mut work.cover, &mut work.under] {
+        for chain in [&mut work.stock, &mut work.cover] {
             *chain = chain.clipped(f64::NEG_INFINITY, end_z);
         }
+        work.hanging = work.hanging.clipped_at(end_z);
         self.order.edit = edit;
         match step.kind {
             OperationKind::Drill => self.order.drill(&self.bore, station),
