@@ -10,8 +10,8 @@ use std::sync::Arc;
 /// One request.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Action {
-    /// Start an empty part.
-    New,
+    /// Start a new document.
+    New(crate::document::Kind),
     /// Open a file or import one.
     Open(PathBuf),
     /// Open one of the examples, by index.
@@ -88,6 +88,9 @@ pub enum Action {
 impl Action {
     /// True if the open document is left by it.
     pub(crate) const fn leaves_document(&self) -> bool {
-        matches!(self, Self::New | Self::Open(_) | Self::OpenExample(_) | Self::Recover(_) | Self::Close | Self::Quit)
+        matches!(
+            self,
+            Self::New(_) | Self::Open(_) | Self::OpenExample(_) | Self::Recover(_) | Self::Close | Self::Quit
+        )
     }
 }

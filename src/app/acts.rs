@@ -7,14 +7,12 @@ use super::dialogs::{Dialog, FileDialog, Purpose, UnsavedQuestion};
 use super::files::Written;
 use super::layout::{Layout, Pane};
 use crate::diagnostic::Place;
-use crate::document::{Content, Document, Ends, FORMAT_VERSION, TurnedPart};
+use crate::document::Document;
 use crate::machine::Catalog;
 use crate::papers::PaperKind;
-use crate::part::Section;
 use crate::proof::BlockRef;
 use crate::session::{Origin, Session};
 use crate::storage::{self, read_pages, read_program};
-use crate::units::Unit;
 use egui::{Context, ViewportCommand};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -37,7 +35,7 @@ impl Desk {
             return;
         }
         match action {
-            Action::New => self.open_document(ctx, new_part(), Origin::Fresh),
+            Action::New(kind) => self.open_document(ctx, super::new::document(kind, FIRST_MACHINE), Origin::Fresh),
             Action::Open(path) => self.open_file(ctx, &path),
             Action::OpenExample(index) => self.open_example(ctx, index),
             Action::Recover(index) => self.open_recovered(ctx, index),
@@ -312,21 +310,4 @@ impl Desk {
             self.views.cut.go_to(setup, BlockRef { program: session.selection.program, block });
         }
     }
-}
-
-/// Two cylinders, for a person to go on from.
-fn new_part() -> Document {
-    let part = TurnedPart {
-        machine: FIRST_MACHINE.to_owned(),
-        material: "ALUMINUM".to_owned(),
-        bar_diameter: 25.0,
-        length: 40.0,
-        ends: Ends::One,
-        part_off: false,
-        automatic: false,
-        form_tolerance: 0.25,
-        sections: vec![Section::line(1, 0.0, 22.0, 25.0, 22.0), Section::line(2, 25.0, 16.0, 40.0, 16.0)],
-        ..TurnedPart::default()
-    };
-    Document { turnwright: FORMAT_VERSION, name: "PART".to_owned(), unit: Unit::Mm, content: Content::TurnedPart(part) }
 }

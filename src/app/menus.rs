@@ -7,6 +7,7 @@ use super::layout::{Layout, Pane};
 use super::shortcuts;
 use super::theme::{self, Colors};
 use super::widgets::{chip, clock, primary_button};
+use crate::document::Kind as DocumentKind;
 use crate::papers::{DrawingChoice, Paper, PaperKind};
 use crate::session::{SaveState, Session, Verdict};
 use egui::{Align, Button, KeyboardShortcut, RichText, Ui};
@@ -53,7 +54,12 @@ fn item(ui: &mut Ui, text: &str, keys: Option<&KeyboardShortcut>, enabled: bool)
 fn file(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) {
     ui.menu_button("File", |ui| {
         if item(ui, "New part", Some(&shortcuts::NEW), true) {
-            requests.actions.push(Action::New);
+            requests.actions.push(Action::New(DocumentKind::TurnedPart));
+        }
+        for (kind, text) in [(DocumentKind::RollSet, "New roll set"), (DocumentKind::Shell, "New shell")] {
+            if item(ui, text, None, true) {
+                requests.actions.push(Action::New(kind));
+            }
         }
         if item(ui, "Open or import…", Some(&shortcuts::OPEN), true) {
             requests.actions.push(Action::AskOpen);

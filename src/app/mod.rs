@@ -9,6 +9,7 @@ mod files;
 mod inspector;
 mod layout;
 mod menus;
+mod new;
 mod operations;
 mod panes;
 pub mod plots;

@@ -1,6 +1,7 @@
 //! Keyboard shortcuts of the window as a whole.
 
 use super::actions::Action;
+use crate::document::Kind;
 use egui::{Key, KeyboardShortcut, Modifiers, Ui};
 
 /// Take back.
@@ -41,7 +42,7 @@ pub(crate) fn read(ui: &Ui, actions: &mut Vec<Action>) {
         on(&UNDO, Action::Undo);
     }
     for (shortcut, action) in [
-        (&NEW, Action::New),
+        (&NEW, Action::New(Kind::TurnedPart)),
         (&OPEN, Action::AskOpen),
         (&SAVE_AS, Action::SaveAs),
         (&SAVE, Action::Save),

@@ -1,12 +1,16 @@
 //! The page between the program's start and the first drawing.
 
 use super::actions::Action;
-use super::plots::thumbnail;
+use super::plots::{flower_thumbnail, thumbnail};
 use super::theme::{self, Colors};
 use super::widgets::{link, primary_button};
+use crate::document::{Content, Kind};
 use crate::geometry::Contour;
 use crate::machine::Catalog;
 use crate::part;
+use crate::rollform::bends::Stage;
+use crate::rollform::strip::Strip;
+use crate::spinning;
 use crate::storage;
 use crate::storage::recovery::Recovered;
 use egui::{Align, Rect, Sense, Stroke, StrokeKind, Ui, vec2};
@@ -22,14 +26,22 @@ const PICTURE_TOLERANCE_MM: f64 = 0.02;
 
 /// Pictures of the examples.
 pub(crate) struct StartPage {
-    outlines: Vec<Option<Contour>>,
+    pictures: Vec<Option<Picture>>,
+}
+
+/// What the card of an example shows.
+enum Picture {
+    /// A turned part, or the former of a shell.
+    Turned(Contour),
+    /// The strip at every station.
+    Strip(Vec<Contour>),
 }
 
 impl StartPage {
     /// Draws the examples' outlines.
     #[must_use]
     pub(crate) fn new(catalog: &Catalog) -> Self {
-        Self { outlines: storage::examples().iter().map(|example| outline(example, catalog)).collect() }
+        Self { pictures: storage::examples().iter().map(|example| picture(example, catalog)).collect() }
     }
 
     /// Shows the page.
@@ -48,32 +60,46 @@ impl StartPage {
         });
     }
 
-    fn page(&self, ui: &mut Ui, recent: &[PathBuf], recovered: &[Recovered], actions: &mut Vec<Action>) {
+    fn examples(&self, ui: &mut Ui, kind: Kind, actions: &mut Vec<Action>) {
         let colors = Colors::of(ui.visuals());
-        ui.label(theme::strong("Start with a part").font(theme::strong_font(22.0)));
-        ui.label(theme::quiet("Open an example and drag a diameter: paths, program and proof follow.", colors));
-        ui.add_space(14.0);
-        ui.horizontal(|ui| {
-            if primary_button(ui, "New part", true).clicked() {
-                actions.push(Action::New);
-            }
-            if ui.add(egui::Button::new("Open or import…").min_size(vec2(0.0, 27.0))).clicked() {
-                actions.push(Action::AskOpen);
-            }
-        });
-        unsaved_work(ui, recovered, colors, actions);
-        ui.add_space(20.0);
-        ui.label(theme::strong("Examples"));
-        ui.add_space(4.0);
         ui.horizontal_wrapped(|ui| {
             ui.spacing_mut().item_spacing = vec2(16.0, 16.0);
-            for (index, example) in storage::examples().iter().enumerate() {
-                let outline = self.outlines.get(index).and_then(Option::as_ref);
-                if card(ui, example, outline, colors) {
+            for (index, example) in storage::examples().iter().enumerate().filter(|(_, example)| example.kind == kind) {
+                let shows = self.pictures.get(index).and_then(Option::as_ref);
+                if card(ui, example, shows, colors) {
                     actions.push(Action::OpenExample(index));
                 }
             }
         });
+    }
+
+    fn page(&self, ui: &mut Ui, recent: &[PathBuf], recovered: &[Recovered], actions: &mut Vec<Action>) {
+        let colors = Colors::of(ui.visuals());
+        ui.label(theme::strong("Start with a part, a roll set or a shell").font(theme::strong_font(22.0)));
+        ui.label(theme::quiet("Open an example and drag a dimension: paths, program and proof follow.", colors));
+        ui.add_space(14.0);
+        ui.horizontal(|ui| {
+            if primary_button(ui, "New part", true).clicked() {
+                actions.push(Action::New(Kind::TurnedPart));
+            }
+            let mut button = |ui: &mut Ui, text: &str, action: Action| {
+                if ui.add(egui::Button::new(text).min_size(vec2(0.0, 27.0))).clicked() {
+                    actions.push(action);
+                }
+            };
+            button(ui, "New roll set", Action::New(Kind::RollSet));
+            button(ui, "New shell", Action::New(Kind::Shell));
+            button(ui, "Open or import…", Action::AskOpen);
+        });
+        unsaved_work(ui, recovered, colors, actions);
+        for (kind, title) in
+            [(Kind::TurnedPart, "Turned parts"), (Kind::RollSet, "Form-rolls"), (Kind::Shell, "Flow-turned shells")]
+        {
+            ui.add_space(20.0);
+            ui.label(theme::strong(title));
+            ui.add_space(4.0);
+            self.examples(ui, kind, actions);
+        }
         if !recent.is_empty() {
             ui.add_space(20.0);
             ui.label(theme::strong("Recent files"));
@@ -84,16 +110,26 @@ impl StartPage {
     }
 }
 
-/// Outline of an example's finished part; none if it cannot be made.
-fn outline(example: &storage::Example, catalog: &Catalog) -> Option<Contour> {
+/// Picture of what an example makes; none if it cannot be made.
+fn picture(example: &storage::Example, catalog: &Catalog) -> Option<Picture> {
     let document = storage::document_from_text(example.name, example.text).ok()?;
-    let part = document.content.turned_part()?;
-    let machine = catalog.machine(&part.machine)?;
-    let (setups, _) = part::setups(&part.scaled(document.unit.in_mm()), machine);
-    Some(part::contour(&setups.first()?.profile, PICTURE_TOLERANCE_MM).contour)
+    let in_mm = document.unit.in_mm();
+    match &document.content {
+        Content::TurnedPart(part) => {
+            let machine = catalog.machine(&part.machine)?;
+            let (setups, _) = part::setups(&part.scaled(in_mm), machine);
+            Some(Picture::Turned(part::contour(&setups.first()?.profile, PICTURE_TOLERANCE_MM).contour))
+        }
+        Content::RollSet(set) => {
+            let set = set.scaled(in_mm);
+            let stages = (0..set.stations.len()).map(Stage::Station).chain([Stage::Finished]);
+            Some(Picture::Strip(stages.map(|stage| Strip::at(&set, stage).mean()).collect()))
+        }
+        Content::Shell(shell) => Some(Picture::Turned(spinning::contour(&shell.scaled(in_mm).former)?)),
+    }
 }
 
-fn card(ui: &mut Ui, example: &storage::Example, outline: Option<&Contour>, colors: &Colors) -> bool {
+fn card(ui: &mut Ui, example: &storage::Example, shows: Option<&Picture>, colors: &Colors) -> bool {
     let (rect, response) = ui.allocate_exact_size(CARD, Sense::click());
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, format!("Open {}", example.name)));
     let lifted = response.hovered() || response.has_focus();
@@ -101,8 +137,10 @@ fn card(ui: &mut Ui, example: &storage::Example, outline: Option<&Contour>, colo
     ui.painter().rect(rect, 8.0, colors.panel, Stroke::new(1.0, line), StrokeKind::Inside);
     let picture =
         Rect::from_min_max(rect.min + vec2(22.0, 18.0), egui::pos2(rect.right() - 22.0, rect.bottom() - 76.0));
-    if let Some(outline) = outline {
-        thumbnail(ui.painter(), picture, outline, &colors.plot);
+    match shows {
+        Some(Picture::Turned(outline)) => thumbnail(ui.painter(), picture, outline, &colors.plot),
+        Some(Picture::Strip(stages)) => flower_thumbnail(ui.painter(), picture, stages, &colors.plot),
+        None => {}
     }
     let text = Rect::from_min_max(egui::pos2(rect.left() + 18.0, rect.bottom() - 66.0), rect.max - vec2(16.0, 8.0));
     let mut inner = ui.new_child(egui::UiBuilder::new().max_rect(text).layout(egui::Layout::top_down(Align::Min)));

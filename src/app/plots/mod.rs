@@ -25,6 +25,6 @@ pub use palette::{LeftoverClass, Palette};
 pub use profile::{Dimension, End, NodeMove, Phase, ProfileEvent, ProfileScene, ProfileView, SectionEnd, profile_plot};
 pub use solid::{SolidScene, SolidView, solid_view};
 pub use station::{StationEvent, StationScene, StationView, station_plot};
-pub use thumbnail::thumbnail;
+pub use thumbnail::{flower_thumbnail, thumbnail};
 pub use time_bar::{TimeShare, time_bar};
 pub use tool_picture::tool_picture;

@@ -5,7 +5,7 @@ use crate::app::desk::Requests;
 use crate::app::plots::{Palette, StationEvent, StationScene, fixed, station_plot};
 use crate::app::theme::{self, Colors};
 use crate::app::widgets::{link, title_row, toggle};
-use crate::rollform::StationDesign;
+use crate::rollform::{Roll, StationDesign};
 use crate::session::Session;
 use egui::Ui;
 
@@ -73,7 +73,7 @@ pub(super) fn show(
 /// The station in a few words.
 fn told(station: &StationDesign, unit: crate::units::Unit) -> String {
     let length = |mm: f64| fixed(mm / unit.in_mm(), unit.decimals());
-    let bounds = station.rolls.first().map(|roll| roll.contour()).and_then(|contour| contour.bounds());
+    let bounds = station.rolls.first().map(Roll::contour).and_then(|contour| contour.bounds());
     let width = bounds.map_or_else(String::new, |b| format!(" · roll width {}", length(b.max.z - b.min.z)));
     let openings = station.openings;
     format!(

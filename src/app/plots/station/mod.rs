@@ -75,7 +75,7 @@ pub fn station_plot(ui: &mut Ui, view: &mut StationView, scene: &StationScene<'_
 fn bounds(scene: &StationScene<'_>, whole: bool) -> Bounds {
     let rolls = scene.station.rolls.iter();
     let near = rolls.flat_map(|roll| {
-        let faces = if whole { 0 } else { 1 };
+        let faces = usize::from(!whole);
         let inner = roll.elements.len().saturating_sub(faces).max(faces);
         let elements: &[RollElement] = roll.elements.get(faces..inner).unwrap_or_default();
         let lift = lift(roll.roll.kind, scene.drawn_gap_mm);
