@@ -6,6 +6,7 @@ use super::desk::{Desk, Views};
 use super::dialogs::{Dialog, FileDialog, Purpose, UnsavedQuestion};
 use super::files::Written;
 use super::layout::{Layout, Pane};
+use super::rolls::select_station;
 use crate::diagnostic::Place;
 use crate::document::Document;
 use crate::machine::Catalog;
@@ -290,17 +291,32 @@ impl Desk {
                 self.layout().bring_to_front(Pane::Program);
                 self.show_block();
             }
+            Place::Document if session.document().content.roll_set().is_some() => {
+                self.layout().bring_to_front(Pane::Elements);
+            }
             Place::Stock | Place::Document | Place::Machine { .. } | Place::Tool { .. } => {
                 session.selection.section = None;
                 self.layout().bring_to_front(Pane::Sections);
                 self.layout().bring_to_front(Pane::Inspector);
             }
             Place::Setting { .. } => self.layout().bring_to_front(Pane::ShellData),
-            Place::Element { .. }
-            | Place::Station { .. }
-            | Place::Roll { .. }
-            | Place::Line { .. }
-            | Place::File { .. } => {}
+            Place::Element { id, .. } => {
+                self.views.rolls.go_to_element(session, *id);
+                self.layout().bring_to_front(Pane::Elements);
+            }
+            Place::Station { id, .. } => {
+                select_station(session, *id);
+                self.layout().bring_to_front(Pane::StationData);
+            }
+            Place::Roll { name } => {
+                let rolls = session.derived().and_then(|derived| derived.rolls.clone());
+                if let Some(roll) = rolls.as_ref().and_then(|rolls| rolls.design.rolls().find(|r| r.name == *name)) {
+                    session.select_roll(roll.roll);
+                    self.layout().bring_to_front(Pane::Station);
+                    self.layout().bring_to_front(Pane::RollList);
+                }
+            }
+            Place::Line { .. } | Place::File { .. } => {}
         }
     }
 

@@ -5,6 +5,7 @@
 mod canvas;
 mod coordinates;
 mod cut;
+mod flower;
 mod lines;
 mod palette;
 mod profile;
@@ -21,6 +22,7 @@ mod tool_picture;
 pub use canvas::CanvasView;
 pub use coordinates::{Coordinates, fixed};
 pub use cut::{CutEvent, CutScene, CutView, clock, cut_plot};
+pub use flower::{FlowerEvent, FlowerPlotView, FlowerScene, flower_plot};
 pub use palette::{LeftoverClass, Palette};
 pub use profile::{Dimension, End, NodeMove, Phase, ProfileEvent, ProfileScene, ProfileView, SectionEnd, profile_plot};
 pub use solid::{SolidScene, SolidView, solid_view};

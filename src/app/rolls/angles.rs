@@ -4,6 +4,7 @@ use super::{RollsViews, words};
 use crate::app::desk::Requests;
 use crate::app::sheet::{self, Cell, Change, Heading, Sheet, SheetView, Takes};
 use crate::app::widgets::{link, title_row};
+use crate::diagnostic::{Place, Severity};
 use crate::document::{BendAngle, Document, Element, ElementKind, RollSet, Station};
 use crate::rollform::bends::{Stage, angles_deg};
 use crate::session::Session;
@@ -29,14 +30,28 @@ pub(super) fn show(
     let mut add = false;
     let dragged = title_row(ui, titled.then_some("Bend angles"), "cumulative, °", |ui| {
         add = link(ui, "+ Station").on_hover_text("Add a station with all bends at their finished angles").clicked();
+        super::suggest::show(ui, &mut views.suggest, session);
     });
     if add {
         session.edit("add a station", None, add_station);
     }
-    let angles = Angles::new(set, session.selection.station);
+    let angles = Angles::new(set, session);
     let height = ui.available_height();
     sheet::show(ui, &angles, &mut views.angles.sheet, session, requests, height);
     dragged
+}
+
+/// The first message about every angle: at a station, with the bend beside it.
+fn wrong(session: &Session) -> BTreeMap<(u32, u32), String> {
+    let mut found = BTreeMap::new();
+    for problem in session.problems().iter().filter(|p| p.severity >= Severity::Warning) {
+        if let (Place::Station { id, .. }, [Place::Element { id: bend, .. }]) =
+            (&problem.at, problem.related.as_slice())
+        {
+            found.entry((*id, *bend)).or_insert_with(|| problem.message.clone());
+        }
+    }
+    found
 }
 
 /// Bends by station.
@@ -46,10 +61,13 @@ struct Angles<'a> {
     /// Angles at every station, carried over.
     at_stations: Vec<BTreeMap<u32, f64>>,
     headings: Vec<Heading>,
+    /// What is wrong with angles, by station and bend.
+    wrong: BTreeMap<(u32, u32), String>,
 }
 
 impl<'a> Angles<'a> {
-    fn new(set: &'a RollSet, station: Option<u32>) -> Self {
+    fn new(set: &'a RollSet, session: &Session) -> Self {
+        let station = session.selection.station;
         let bends = set.section.all().filter(|e| matches!(e.kind, ElementKind::Bend { .. })).copied().collect();
         let of_station = |(number, s): (usize, &Station)| Heading {
             current: station == Some(s.id),
@@ -60,6 +78,7 @@ impl<'a> Angles<'a> {
             set,
             bends,
             at_stations: (0..set.stations.len()).map(|index| angles_deg(set, Stage::Station(index))).collect(),
+            wrong: wrong(session),
             headings: stations.chain(std::iter::once(Heading::figures("final", 52.0))).collect(),
         }
     }
@@ -98,7 +117,7 @@ impl Sheet for Angles<'_> {
                 text: words::angle(angles.get(&bend.id).copied().unwrap_or_default()),
                 takes: Takes::Text,
                 strong: self.is_entered(column, bend.id),
-                wrong: None,
+                wrong: self.set.stations.get(column).and_then(|s| self.wrong.get(&(s.id, bend.id)).cloned()),
             }
         } else {
             let ElementKind::Bend { angle_deg, .. } = bend.kind else { return Cell::default() };

@@ -5,14 +5,14 @@ use crate::app::desk::Requests;
 use crate::app::plots::fixed;
 use crate::app::sheet::{self, Cell, Change, Heading, Sheet, SheetView, Takes};
 use crate::app::widgets::{link, title_row, toggle};
+use crate::diagnostic::{Place, Severity};
 use crate::document::{CrossSection, Document, Element, ElementKind, RollSet};
 use crate::rollform::developed::element_mm;
 use crate::session::Session;
 use crate::units::{Unit, parse_length};
 use egui::Ui;
+use std::collections::BTreeMap;
 
-/// Room below the table for the data of the strip, points.
-const BELOW: f32 = 178.0;
 /// The table keeps at least this height, points.
 const LEAST: f32 = 120.0;
 /// Length of an element that is added, mm.
@@ -29,6 +29,20 @@ const BEND: usize = 2;
 pub(super) struct ElementsView {
     sheet: SheetView,
     other_side: bool,
+    with_material: bool,
+}
+
+impl ElementsView {
+    /// Puts the cursor on an element, as when a message about it is clicked.
+    pub(super) fn go_to(&mut self, set: &RollSet, id: u32) {
+        let row = |list: &[Element]| list.iter().position(|e| e.id == id);
+        let found = row(&set.section.elements).map(|row| (row, false));
+        let found = found.or_else(|| row(&set.section.other_side).map(|row| (row, true)));
+        if let Some((row, other_side)) = found {
+            self.other_side = other_side;
+            self.sheet.go_to(row, LENGTH);
+        }
+    }
 }
 
 /// Shows the panel; true if it is dragged by its title.
@@ -52,19 +66,37 @@ pub(super) fn show(
             toggle(ui, &mut view.other_side, "other side");
         }
     });
-    let elements = Elements::new(set, document.unit, view.other_side);
+    let elements = Elements::new(set, document.unit, view.other_side, session);
     if add {
         let end = elements.rows();
         session.edit("add an element", None, |document| _ = elements.change(document, &Change::Insert(end)));
         view.sheet.go_to(end, LENGTH);
     }
-    let height = (ui.available_height() - BELOW).max(LEAST);
+    let height = (ui.available_height() - super::strip_data::height(view.with_material)).max(LEAST);
     sheet::show(ui, &elements, &mut view.sheet, session, requests, height);
     egui::ScrollArea::vertical().id_salt("strip-data").auto_shrink([false, false]).show(ui, |ui| {
         ui.add_space(8.0);
-        super::strip_data::show(ui, set, document.unit, session);
+        super::strip_data::show(ui, set, document.unit, session, &mut view.with_material);
     });
     dragged
+}
+
+/// What is wrong with cells, by element and column.
+type Wrong = BTreeMap<(u32, usize), String>;
+
+/// The first message about every cell.
+fn wrong(session: &Session) -> Wrong {
+    let mut found = Wrong::new();
+    for problem in session.problems().iter().filter(|p| p.severity >= Severity::Warning) {
+        let Place::Element { id, .. } = problem.at else { continue };
+        let column = match problem.code.as_str() {
+            "element-length" | "least-radius" => LENGTH,
+            "bend-angle" => BEND,
+            _ => TYPE,
+        };
+        found.entry((id, column)).or_insert_with(|| problem.message.clone());
+    }
+    found
 }
 
 /// One list of elements as a table.
@@ -73,17 +105,18 @@ struct Elements<'a> {
     unit: Unit,
     other_side: bool,
     headings: [Heading; 4],
+    wrong: Wrong,
 }
 
 impl<'a> Elements<'a> {
-    fn new(set: &'a RollSet, unit: Unit, other_side: bool) -> Self {
+    fn new(set: &'a RollSet, unit: Unit, other_side: bool, session: &Session) -> Self {
         let headings = [
             Heading::words("type", 62.0),
             Heading::figures("length / r", 66.0),
             Heading::figures("bend °", 58.0),
             Heading::figures("mean length", 74.0),
         ];
-        Self { set, unit, other_side, headings }
+        Self { set, unit, other_side, headings, wrong: wrong(session) }
     }
 
     fn list(&self) -> &[Element] {
@@ -124,7 +157,8 @@ impl Sheet for Elements<'_> {
             (BEND, ElementKind::Line { .. }) => (String::new(), Takes::Nothing),
             (_, kind) => (length(self.mean_length(&kind)), Takes::Nothing),
         };
-        Cell { text, takes, ..Cell::default() }
+        let wrong = self.wrong.get(&(element.id, column)).cloned();
+        Cell { text, takes, wrong, ..Cell::default() }
     }
 
     fn write(&self, document: &mut Document, row: usize, column: usize, text: &str) -> Result<(), String> {
@@ -154,7 +188,8 @@ impl Sheet for Elements<'_> {
             }
             Change::Delete(rows) => {
                 let end = rows.end().saturating_add(1).min(list.len());
-                list.drain((*rows.start()).min(end)..end);
+                let gone: Vec<u32> = list.drain((*rows.start()).min(end)..end).map(|e| e.id).collect();
+                forget(set, &gone);
             }
             Change::Duplicate(rows) => {
                 let copies: Vec<Element> =
@@ -177,6 +212,14 @@ impl Sheet for Elements<'_> {
 
     fn select(&self, session: &mut Session, row: usize, _column: usize) {
         session.selection.element = self.list().get(row).map(|element| element.id);
+    }
+}
+
+/// Takes out what the stations say about elements that are gone.
+fn forget(set: &mut RollSet, gone: &[u32]) {
+    set.composites.retain(|composite| !gone.contains(&composite.element));
+    for station in &mut set.stations {
+        station.bends.retain(|bend| !gone.contains(&bend.element));
     }
 }
 

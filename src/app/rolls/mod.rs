@@ -10,6 +10,7 @@ mod list;
 mod station;
 mod station_data;
 mod strip_data;
+mod suggest;
 mod words;
 
 use super::desk::Requests;
@@ -25,6 +26,19 @@ pub(crate) struct RollsViews {
     elements: elements::ElementsView,
     angles: angles::AnglesView,
     station: StationView,
+    suggest: suggest::SuggestView,
+    flower: flower::FlowerView,
+    charts: charts::ChartsView,
+}
+
+impl RollsViews {
+    /// Puts the cursor on an element of the section.
+    pub(crate) fn go_to_element(&mut self, session: &mut Session, id: u32) {
+        session.selection.element = Some(id);
+        if let Some(set) = session.document().content.roll_set() {
+            self.elements.go_to(set, id);
+        }
+    }
 }
 
 /// The set of form-rolls in a document, to be changed.
@@ -61,7 +75,7 @@ fn shown_station<'a>(session: &Session, set: &'a RollSet) -> Option<(usize, &'a 
 }
 
 /// Shows a station, and the roll of the same place as before.
-fn select_station(session: &mut Session, id: u32) {
+pub(crate) fn select_station(session: &mut Session, id: u32) {
     session.selection.station = Some(id);
     let kind = session.roll().map_or(RollKind::Top, |roll| roll.kind);
     session.select_roll(RollRef { station: id, kind });

@@ -1,6 +1,6 @@
 //! Words and figures that the panels of a set share.
 
-use crate::document::{DevelopedWidth, Origin};
+use crate::document::{DevelopedWidth, Opening, Origin};
 use crate::units::{Unit, parse_length};
 
 /// Decimals of an angle on the screen, degrees.
@@ -27,6 +27,15 @@ pub(super) const fn width_method(method: DevelopedWidth) -> &'static str {
         DevelopedWidth::AsmLessFormable => "ASM, brittle",
         DevelopedWidth::Angel => "Angel",
         DevelopedWidth::Own { .. } => "own k",
+    }
+}
+
+/// What stays constant while a bend opens.
+pub(super) const fn opening(opening: Opening) -> &'static str {
+    match opening {
+        Opening::MeanLine => "mean r × θ",
+        Opening::InsideRadius => "inside r × θ",
+        Opening::ConstantRadius => "constant r",
     }
 }
 
