@@ -1,4 +1,5 @@
-//! Turnwright: from a dragged dimension of a turned part to a proved NC program on the lathe.
+//! Turnwright: from a dragged dimension of a turned part, a set of form-rolls or a flow-turned shell to a proved NC program on
+//! the lathe.
 //!
 //! The way of an edit: `Document` → [`regen`] → `Derived` → window, files, NC text → [`proof`] → [`transfer`].
 //!
