@@ -77,7 +77,6 @@ pub enum ElementName {
 
 /// An edit of a roll contour.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
 pub struct RollEdit {
     /// Stable id, unique in the list of the roll.
     pub id: u32,
@@ -88,7 +87,7 @@ pub struct RollEdit {
 
 /// What an edit does.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "do", rename_all = "snake_case")]
+#[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
 pub enum EditAction {
     /// A new element between an element and the next one; both are prolonged or cut to where they meet it.
     Insert {
