@@ -75,13 +75,24 @@ fn section(id: u32, segment: &Segment, bore: f64) -> Section {
     let kind = match *segment {
         Segment::Line { .. } => SectionKind::Line,
         Segment::Arc { center, ccw, .. } => {
-            // A quarter turn or less may not become impossible by rounding.
-            let radius = start.distance(center).max(start.distance(end) / 2.0);
+            let radius = turnable_radius(start, end, start.distance(center));
             if ccw { SectionKind::Concave { radius } } else { SectionKind::Convex { radius } }
         }
     };
     let (z1, z2) = (rounded(start.z), rounded(end.z));
     Section { id, z1, d1: diameter(start), z2, d2: diameter(end), kind }
+}
+
+/// The radius with which a row can have an arc: at least half its chord, and where the arc ends square to the axis, the one
+/// with which it does so exactly, chord² / (2 · width), for a row cannot run back under itself. Arcs that were merged over a
+/// line of 0.001 mm miss that by as much.
+fn turnable_radius(start: Point, end: Point, radius: f64) -> f64 {
+    /// Largest difference that is taken for rounding, mm.
+    const ROUNDING_MM: f64 = 0.0025;
+    let along = end - start;
+    let square = along.norm_squared() / (2.0 * along.x.abs());
+    let possible = radius.max(along.norm() / 2.0);
+    if (possible..=possible + ROUNDING_MM).contains(&square) { square } else { possible }
 }
 
 fn rounded(value: f64) -> f64 {

@@ -56,6 +56,36 @@ pub const fn examples() -> &'static [Example] {
             text: include_str!("../../assets/examples/roll-top.turn"),
         },
         Example {
+            name: "1470b",
+            kind: Kind::RollSet,
+            description: "The published section of 1983: three stations, eight rolls, two of them edited",
+            text: include_str!("../../assets/examples/1470b.turn"),
+        },
+        Example {
+            name: "U-CHANNEL",
+            kind: Kind::RollSet,
+            description: "Channel 80 × 30 × 2 in seven stations, side rolls where the legs stand up",
+            text: include_str!("../../assets/examples/u-channel.turn"),
+        },
+        Example {
+            name: "HAT",
+            kind: Kind::RollSet,
+            description: "Hat profile of 1.5 mm in eight stations, side rolls outside the legs",
+            text: include_str!("../../assets/examples/hat.turn"),
+        },
+        Example {
+            name: "UNSYMMETRICAL",
+            kind: Kind::RollSet,
+            description: "Unequal section listed from its left edge, six stations, a roll on one side",
+            text: include_str!("../../assets/examples/unsymmetrical.turn"),
+        },
+        Example {
+            name: "LIPPED-C",
+            kind: Kind::RollSet,
+            description: "Lipped channel of 1.2 mm in eight stations; in the last ones the lips overhang",
+            text: include_str!("../../assets/examples/lipped-c.turn"),
+        },
+        Example {
             name: "CONE",
             kind: Kind::Shell,
             description: "Flow-turned 30° cone of the tests of 1988, wall halved by the sine law",
