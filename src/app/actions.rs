@@ -3,6 +3,7 @@
 use super::data::{Entry, Kind};
 use super::layout::Pane;
 use crate::diagnostic::Place;
+use crate::document::Document;
 use crate::papers::PaperKind;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -52,6 +53,8 @@ pub enum Action {
     AskOpenProgram,
     /// Put the program of a file in the place of the program that is shown.
     OpenProgram(PathBuf),
+    /// Open a document that was made here: a new shell, or a shell's former as a part.
+    OpenMade(Box<Document>),
     /// Ask for a file to export to.
     AskExport,
     /// Ask for a file to save this text in, which is a program by this name.
@@ -90,7 +93,13 @@ impl Action {
     pub(crate) const fn leaves_document(&self) -> bool {
         matches!(
             self,
-            Self::New(_) | Self::Open(_) | Self::OpenExample(_) | Self::Recover(_) | Self::Close | Self::Quit
+            Self::New(_)
+                | Self::OpenMade(_)
+                | Self::Open(_)
+                | Self::OpenExample(_)
+                | Self::Recover(_)
+                | Self::Close
+                | Self::Quit
         )
     }
 }

@@ -37,6 +37,7 @@ impl Desk {
         }
         match action {
             Action::New(kind) => self.open_document(ctx, super::new::document(kind, FIRST_MACHINE), Origin::Fresh),
+            Action::OpenMade(document) => self.open_document(ctx, *document, Origin::Fresh),
             Action::Open(path) => self.open_file(ctx, &path),
             Action::OpenExample(index) => self.open_example(ctx, index),
             Action::Recover(index) => self.open_recovered(ctx, index),

@@ -7,7 +7,7 @@ use super::layout::{Layout, Pane};
 use super::shortcuts;
 use super::theme::{self, Colors};
 use super::widgets::{chip, clock, primary_button};
-use crate::document::Kind as DocumentKind;
+use crate::document::{Content, Kind as DocumentKind};
 use crate::papers::{DrawingChoice, Paper, PaperKind};
 use crate::session::{SaveState, Session, Verdict};
 use egui::{Align, Button, KeyboardShortcut, RichText, Ui};
@@ -235,9 +235,13 @@ fn send(ui: &mut Ui, session: &Session, hindrance: Option<&str>, requests: &mut 
 fn what(ui: &mut Ui, session: &Session, colors: &Colors) {
     let part = session.part();
     let unit = session.document().unit;
-    let bar = super::plots::fixed(part.bar_diameter, unit.decimals());
-    let bar = if bar.contains('.') { bar.trim_end_matches('0').trim_end_matches('.') } else { &bar };
-    let text = format!("{} · {bar} {} {}", part.machine.to_uppercase(), unit.symbol(), part.material.to_lowercase());
+    let (machine, size, material) = match &session.document().content {
+        Content::Shell(shell) => (&shell.machine, shell.blank.thickness, &shell.material),
+        _ => (&part.machine, part.bar_diameter, &part.material),
+    };
+    let size = super::plots::fixed(size, unit.decimals());
+    let size = if size.contains('.') { size.trim_end_matches('0').trim_end_matches('.') } else { &size };
+    let text = format!("{} · {size} {} {}", machine.to_uppercase(), unit.symbol(), material.to_lowercase());
     ui.label(theme::quiet(text, colors));
 }
 

@@ -125,7 +125,7 @@ fn picture(example: &storage::Example, catalog: &Catalog) -> Option<Picture> {
             let stages = (0..set.stations.len()).map(Stage::Station).chain([Stage::Finished]);
             Some(Picture::Strip(stages.map(|stage| Strip::at(&set, stage).mean()).collect()))
         }
-        Content::Shell(shell) => Some(Picture::Turned(spinning::contour(&shell.scaled(in_mm).former)?)),
+        Content::Shell(shell) => Some(Picture::Turned(spinning::contour(&shell.scaled(in_mm).former)?.reversed())),
     }
 }
 

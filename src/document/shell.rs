@@ -258,6 +258,33 @@ impl FormerShape {
         }
     }
 
+    /// Sets the figure with this name in the file; one that the contour does not have is left alone.
+    pub fn set(&mut self, name: &str, value: f64) {
+        let figure = match (self, name) {
+            (Self::Cone { half_angle_deg: figure, .. }, "half_angle_deg")
+            | (
+                Self::Cone { tip_diameter: figure, .. }
+                | Self::Parabola { tip_diameter: figure, .. }
+                | Self::Dish { tip_diameter: figure, .. }
+                | Self::Ellipse { tip_diameter: figure, .. },
+                "tip_diameter",
+            )
+            | (
+                Self::Cone { length: figure, .. }
+                | Self::Parabola { length: figure, .. }
+                | Self::Ellipse { length: figure, .. },
+                "length",
+            )
+            | (Self::Parabola { constant: figure, .. }, "constant")
+            | (Self::Dish { focal_length: figure, .. }, "focal_length")
+            | (Self::Dish { rim_diameter: figure, .. }, "rim_diameter")
+            | (Self::Ellipse { semi_axis: figure, .. }, "semi_axis")
+            | (Self::Ellipse { diameter: figure, .. }, "diameter") => figure,
+            _ => return,
+        };
+        *figure = value;
+    }
+
     /// Its figures with their names in the file.
     #[must_use]
     pub fn figures(&self) -> Vec<(&'static str, f64)> {
@@ -355,6 +382,22 @@ mod tests {
             assert!((was - is).abs() < 1e-9, "{name}: {was} {is}");
         }
         assert!((there.former.base_length - 40.0 / 25.4).abs() < 1e-12);
+    }
+
+    #[test]
+    fn every_figure_of_a_contour_can_be_set_by_its_name() {
+        for mut shape in [
+            FormerShape::Cone { half_angle_deg: 1.0, tip_diameter: 1.0, length: 1.0 },
+            FormerShape::Parabola { constant: 1.0, tip_diameter: 1.0, length: 1.0 },
+            FormerShape::Dish { focal_length: 1.0, tip_diameter: 1.0, rim_diameter: 1.0 },
+            FormerShape::Ellipse { semi_axis: 1.0, diameter: 1.0, tip_diameter: 1.0, length: 1.0 },
+        ] {
+            for (name, _) in shape.figures() {
+                shape.set(name, 7.0);
+            }
+            shape.set("colour", 8.0);
+            assert!(shape.figures().iter().all(|(_, value)| *value == 7.0), "{shape:?}");
+        }
     }
 
     #[test]

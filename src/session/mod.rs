@@ -4,6 +4,7 @@ mod history;
 mod light;
 mod parts;
 mod problems;
+mod shells;
 
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::document::{Document, RollRef, TurnedPart};
@@ -334,7 +335,7 @@ impl Session {
             (Some(rolls), Some(roll)) => rolls.of_roll(roll).map_or(derived.setups.len(), |roll| roll.setups.start),
             _ => self.selection.setup.min(last),
         };
-        let programs = derived.setups.get(self.selection.setup).map_or(0, |s| s.programs.len());
+        let programs = self.programs().len();
         self.selection.program = self.selection.program.min(programs.saturating_sub(1));
         let made = derived.setups.get(self.selection.setup).map_or(0, |s| s.path.operations.len());
         let operations = made.max(self.part().generator.instructions().len());
@@ -356,7 +357,14 @@ impl Session {
     /// The program that is shown, as it will be sent.
     #[must_use]
     pub fn program(&self) -> Option<&ProgramText> {
-        self.setup()?.programs.get(self.selection.program)
+        self.programs().get(self.selection.program)
+    }
+
+    /// The programs of what is shown: of the clamping, or of the shell.
+    #[must_use]
+    pub fn programs(&self) -> &[ProgramText] {
+        let shell = || self.derived.as_ref()?.shell.as_ref().map(|made| made.programs.as_slice());
+        self.setup().map(|setup| setup.programs.as_slice()).or_else(shell).unwrap_or_default()
     }
 
     /// True if the programs of its machine are made of the ORAC's pages.
@@ -393,6 +401,11 @@ impl Session {
     /// Selects a block of a program by name, in whatever clamping it is.
     pub fn select_block(&mut self, program: &str, block: usize) {
         let Some(derived) = &self.derived else { return };
+        if let Some(index) =
+            derived.shell.as_ref().and_then(|made| made.programs.iter().position(|p| p.name == program))
+        {
+            self.selection = Selection { program: index, block: Some(block), ..self.selection };
+        }
         for (setup, of_setup) in derived.setups.iter().enumerate() {
             if let Some(index) = of_setup.programs.iter().position(|p| p.name == program) {
                 let roll = derived.rolls.as_ref().and_then(|rolls| rolls.of_setup(setup)).map(|roll| roll.roll);
@@ -473,6 +486,9 @@ impl Session {
         };
         if errors > 0 {
             return Verdict::Failed { errors };
+        }
+        if let Some(made) = &shown.shell {
+            return shells::verdict(made);
         }
         let proofs = || shown.setups.iter().map(|s| s.proof.as_ref());
         let blocks = proofs().map(|p| p.blocks.len()).sum();

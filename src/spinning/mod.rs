@@ -9,6 +9,7 @@
 //! | [`rig`], [`control`], [`run`](mod@run) | rig and its simulation, the controller that watches its path, a run with its errors |
 //! | [`path`](mod@path), [`roller`] | path of the roller's nose centre for every pass; outline of the roller |
 //! | [`program`], [`proof`] | program for a CNC spinning lathe, and its proof by reading the text back |
+//! | [`measurements`], [`reshape`] | published measurements; what a drag makes of a former |
 //! | [`operator`] | the operator's sequence as a state machine |
 //! | [`table`] | set points as CSV and C header |
 //!
@@ -22,12 +23,14 @@ pub mod interpolation;
 mod law;
 pub mod limits;
 pub mod material;
+pub mod measurements;
 mod offset;
 pub mod operator;
 pub mod path;
 pub mod program;
 pub mod proof;
 pub mod published;
+pub mod reshape;
 pub mod rig;
 pub mod roller;
 mod rules;

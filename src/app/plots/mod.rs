@@ -1,4 +1,4 @@
-//! Plots: profile, cut, solid and thumbnails of a turned part, stations of a roll-forming line.
+//! Plots: profile, cut, solid and thumbnails of a turned part, stations of a roll-forming line, former and roller of a shell.
 //!
 //! Plots take data in and give events out. They know neither the session nor the transfer and never edit a document.
 
@@ -12,6 +12,7 @@ mod profile;
 mod regions;
 #[cfg(test)]
 mod sample;
+mod shell;
 mod solid;
 mod station;
 mod thumbnail;
@@ -25,6 +26,7 @@ pub use cut::{CutEvent, CutScene, CutView, clock, cut_plot};
 pub use flower::{FlowerEvent, FlowerPlotView, FlowerScene, flower_plot};
 pub use palette::{LeftoverClass, Palette};
 pub use profile::{Dimension, End, NodeMove, Phase, ProfileEvent, ProfileScene, ProfileView, SectionEnd, profile_plot};
+pub use shell::{ShellEvent, ShellPlot, ShellScene, shell_plot};
 pub use solid::{SolidScene, SolidView, solid_view};
 pub use station::{StationEvent, StationScene, StationView, station_plot};
 pub use thumbnail::{flower_thumbnail, thumbnail};

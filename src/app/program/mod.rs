@@ -107,7 +107,8 @@ fn tools(ui: &mut Ui, view: &mut ProgramView, session: &mut Session, program: &P
         }
     }
     let mut edit = view.mode == Mode::Edit;
-    if toggle(ui, &mut edit, "edit").on_hover_text("Edit the text by hand").clicked() {
+    let is_shell = session.derived().is_some_and(|d| d.shell.is_some());
+    if !is_shell && toggle(ui, &mut edit, "edit").on_hover_text("Edit the text by hand").clicked() {
         view.mode = if edit { Mode::Edit } else { Mode::Text };
         view.gesture = None;
     }
@@ -143,8 +144,7 @@ fn tools(ui: &mut Ui, view: &mut ProgramView, session: &mut Session, program: &P
 
 /// The programs of the clamping side by side.
 fn names(ui: &mut Ui, session: &mut Session, present: &str) {
-    let names: Vec<String> =
-        session.setup().map(|s| s.programs.iter().map(|p| p.name.clone()).collect()).unwrap_or_default();
+    let names: Vec<String> = session.programs().iter().map(|p| p.name.clone()).collect();
     for (index, name) in names.iter().enumerate().rev() {
         let mut on = name == present;
         if toggle(ui, &mut on, name).clicked() {

@@ -1,0 +1,57 @@
+//! Small charts with the window's looks.
+
+use crate::app::plots::Palette;
+use egui::{Color32, Ui};
+use egui_plot::{AxisHints, HLine, HoverPosition, Line, LineStyle, Plot, PlotPoints, PlotUi, Points};
+
+/// A chart with names of its axes.
+pub(super) fn chart(
+    ui: &mut Ui,
+    name: &str,
+    (x, y): (&'static str, &'static str),
+    size: egui::Vec2,
+    content: impl FnOnce(&mut PlotUi<'_>),
+) {
+    let labels = egui::Rangef::new(24.0, 44.0);
+    let plot = Plot::new(name.to_owned())
+        .width(size.x)
+        .height(size.y)
+        .custom_x_axes(vec![AxisHints::new_x().label(x).label_spacing(labels)])
+        .custom_y_axes(vec![AxisHints::new_y().label(y)])
+        .include_y(0.0)
+        .allow_scroll(false)
+        .show_background(false)
+        .label_formatter(|at| {
+            let (HoverPosition::NearDataPoint { position, .. } | HoverPosition::Elsewhere { position }) = at;
+            Some(format!("{:.3}, {:.3}", position.x, position.y))
+        });
+    // The chart draws its grid and figures in the colour of text: a quiet one leaves the lines that matter in front.
+    let quiet = Palette::of(ui.visuals()).construction;
+    ui.scope(|ui| {
+        ui.visuals_mut().widgets.noninteractive.fg_stroke.color = quiet;
+        plot.show(ui, content);
+    });
+}
+
+/// A line by points, thinned to what a chart can show.
+pub(super) fn line(plot: &mut PlotUi<'_>, name: &str, points: Vec<[f64; 2]>, color: Color32, width: f32) {
+    plot.line(Line::new(name.to_owned(), PlotPoints::new(thinned(points))).color(color).width(width));
+}
+
+/// A dashed line across the chart.
+pub(super) fn limit(plot: &mut PlotUi<'_>, name: &str, y: f64, palette: &Palette) {
+    plot.hline(HLine::new(name.to_owned(), y).color(palette.wrong).width(1.0).style(LineStyle::dashed_loose()));
+}
+
+/// Single points.
+pub(super) fn points(plot: &mut PlotUi<'_>, name: &str, at: Vec<[f64; 2]>, color: Color32, radius: f32) {
+    plot.points(Points::new(name.to_owned(), PlotPoints::new(at)).color(color).radius(radius));
+}
+
+fn thinned(points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    /// A chart is never wider, points.
+    const MOST: usize = 3000;
+    let stride = points.len() / MOST + 1;
+    let last = points.last().copied();
+    points.into_iter().step_by(stride).chain(last).collect()
+}
