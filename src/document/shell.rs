@@ -260,27 +260,27 @@ impl FormerShape {
 
     /// Sets the figure with this name in the file; one that the contour does not have is left alone.
     pub fn set(&mut self, name: &str, value: f64) {
-        let figure = match (self, name) {
-            (Self::Cone { half_angle_deg: figure, .. }, "half_angle_deg")
-            | (
-                Self::Cone { tip_diameter: figure, .. }
-                | Self::Parabola { tip_diameter: figure, .. }
-                | Self::Dish { tip_diameter: figure, .. }
-                | Self::Ellipse { tip_diameter: figure, .. },
-                "tip_diameter",
-            )
-            | (
-                Self::Cone { length: figure, .. }
-                | Self::Parabola { length: figure, .. }
-                | Self::Ellipse { length: figure, .. },
-                "length",
-            )
-            | (Self::Parabola { constant: figure, .. }, "constant")
-            | (Self::Dish { focal_length: figure, .. }, "focal_length")
-            | (Self::Dish { rim_diameter: figure, .. }, "rim_diameter")
-            | (Self::Ellipse { semi_axis: figure, .. }, "semi_axis")
-            | (Self::Ellipse { diameter: figure, .. }, "diameter") => figure,
-            _ => return,
+        let ((Self::Cone { half_angle_deg: figure, .. }, "half_angle_deg")
+        | (
+            Self::Cone { tip_diameter: figure, .. }
+            | Self::Parabola { tip_diameter: figure, .. }
+            | Self::Dish { tip_diameter: figure, .. }
+            | Self::Ellipse { tip_diameter: figure, .. },
+            "tip_diameter",
+        )
+        | (
+            Self::Cone { length: figure, .. }
+            | Self::Parabola { length: figure, .. }
+            | Self::Ellipse { length: figure, .. },
+            "length",
+        )
+        | (Self::Parabola { constant: figure, .. }, "constant")
+        | (Self::Dish { focal_length: figure, .. }, "focal_length")
+        | (Self::Dish { rim_diameter: figure, .. }, "rim_diameter")
+        | (Self::Ellipse { semi_axis: figure, .. }, "semi_axis")
+        | (Self::Ellipse { diameter: figure, .. }, "diameter")) = (self, name)
+        else {
+            return;
         };
         *figure = value;
     }

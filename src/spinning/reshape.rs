@@ -39,8 +39,10 @@ pub fn dragged(shell_mm: &Shell, grip: Grip, to: Point, step: f64) -> Shell {
     let diameter = round(2.0 * to.r).max(2.0 * LEAST_MM);
     let long = round(to.z - shell.former.base_length).max(LEAST_MM);
     match (&mut shell.former.shape, grip) {
-        (FormerShape::Cone { tip_diameter, length, .. }, Grip::Tip)
-        | (FormerShape::Parabola { tip_diameter, length, .. }, Grip::Tip) => {
+        (
+            FormerShape::Cone { tip_diameter, length, .. } | FormerShape::Parabola { tip_diameter, length, .. },
+            Grip::Tip,
+        ) => {
             (*tip_diameter, *length) = (diameter, long);
         }
         (FormerShape::Ellipse { tip_diameter, diameter: most, .. }, Grip::Tip) => {

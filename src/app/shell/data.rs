@@ -119,7 +119,9 @@ fn blank(ui: &mut Ui, session: &mut Session, shell: &Shell) {
     let follower = ("Follower ⌀", "blank.follower_diameter");
     figure(ui, session, follower, blank.follower_diameter, Counts::Length, |s, v| s.blank.follower_diameter = v);
     let names: Vec<(&str, &str)> = materials().iter().map(|m| (m.name, m.name)).collect();
-    pick(ui, session, "Material", &shell.material.as_str(), &names, |shell, name| shell.material = (*name).to_owned());
+    pick(ui, session, "Material", &shell.material.as_str(), &names, |shell, name| {
+        (*name).clone_into(&mut shell.material)
+    });
     let forming = [(Forming::Shear, "flow-turning"), (Forming::Spinning, "spinning")];
     pick(ui, session, "Process", &shell.forming, &forming, |shell, forming| shell.forming = *forming);
     let passes = shell.passes.to_string();
@@ -145,7 +147,7 @@ fn program(ui: &mut Ui, session: &mut Session, shell: &Shell, requests: &Request
     heading(ui, "Speeds and machine");
     let machines = requests.catalog.machines.iter().filter(|m| m.words.is_some());
     let machines: Vec<(&str, &str)> = machines.map(|m| (m.id.as_str(), m.name.as_str())).collect();
-    pick(ui, session, "Machine", &shell.machine.as_str(), &machines, |shell, id| shell.machine = (*id).to_owned());
+    pick(ui, session, "Machine", &shell.machine.as_str(), &machines, |shell, id| (*id).clone_into(&mut shell.machine));
     let s = &shell.speeds;
     let speed = ("Surface speed", "speeds.surface_m_per_min");
     figure(ui, session, speed, s.surface_m_per_min, Counts::Other("m/min", 0), |s, v| s.speeds.surface_m_per_min = v);

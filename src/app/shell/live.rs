@@ -126,7 +126,10 @@ impl Live {
         if made.run.is_over() {
             self.running = false;
             let event = match made.run.controller().phase() {
-                Phase::Stopped { reason, .. } => Event::Stopped(reason.to_string()),
+                Phase::Stopped { reason, drawn_back: true } => Event::Stopped(reason.to_string()),
+                Phase::Stopped { reason, .. } => {
+                    Event::Stopped(format!("{reason} The roller could not be drawn back: do it by hand."))
+                }
                 _ => Event::Completed,
             };
             self.sequence.take(event);
@@ -195,7 +198,7 @@ impl Live {
             name.push_str(", 16 bits");
         }
         if let Some(fault) = self.setting.fault {
-            name.push_str(&format!(", {fault}"));
+            name = format!("{name}, {fault}");
         }
         if self.runs.len() >= MOST_RUNS {
             self.runs.remove(0);

@@ -44,7 +44,7 @@ pub(crate) fn show(
         Pane::ShellView => view::show(ui, titled, session, views, requests),
         Pane::Wall => wall::show(ui, titled, session),
         Pane::Operator => operator::show(ui, titled, session, views),
-        Pane::Rig => rig::show(ui, titled, views),
+        Pane::Rig => rig::show(ui, titled, session, views),
         Pane::Runs => runs::show(ui, titled, views),
         _ => false,
     }

@@ -6,7 +6,9 @@ use super::live::{Made, Pace, Setting};
 use crate::app::plots::Palette;
 use crate::app::theme::{self, Colors};
 use crate::app::widgets::{choice, title_row};
+use crate::session::Session;
 use crate::spinning::control::{Moves, Phase};
+use crate::spinning::operator::Key;
 use crate::spinning::published::{Arithmetic, MM_PER_PULSE, MM_PER_STEP};
 use crate::spinning::rig::Fault;
 use egui::{Ui, vec2};
@@ -28,12 +30,11 @@ struct RunLines {
 }
 
 /// Shows the panel; true if it is dragged by its title.
-pub(super) fn show(ui: &mut Ui, titled: bool, views: &mut ShellViews) -> bool {
+pub(super) fn show(ui: &mut Ui, titled: bool, session: &Session, views: &mut ShellViews) -> bool {
     let remark = views.live.newest().map_or_else(|| "simulated".to_owned(), status);
     let dragged = title_row(ui, titled.then_some("Rig"), &remark, |ui| {
         if views.live.is_running() && super::operator::stop_button(ui) {
-            // Taken by the operator's panel in the next frame, as the key is.
-            ui.ctx().input_mut(|i| i.events.push(escape()));
+            views.live.press(Key::Emergency, session);
         }
     });
     let running = views.live.is_running();
@@ -66,16 +67,6 @@ pub(super) fn show(ui: &mut Ui, titled: bool, views: &mut ShellViews) -> bool {
     dragged
 }
 
-fn escape() -> egui::Event {
-    egui::Event::Key {
-        key: egui::Key::Escape,
-        physical_key: None,
-        pressed: true,
-        repeat: false,
-        modifiers: egui::Modifiers::NONE,
-    }
-}
-
 fn status(made: &Made) -> String {
     let phase = match made.run.controller().phase() {
         Phase::ToDatum => "to the datum",
@@ -96,24 +87,24 @@ fn status(made: &Made) -> String {
     )
 }
 
+/// What is chosen for the next run, side by side.
 fn settings(ui: &mut Ui, setting: &mut Setting) {
+    let width = (ui.available_width() - 4.0 * ui.spacing().item_spacing.x) / 5.0;
     ui.horizontal(|ui| {
-        let colors = Colors::of(ui.visuals());
         let pace = [(Pace::Real, "real time"), (Pace::Tenfold, "10 times as fast"), (Pace::AtOnce, "at once")];
-        pick(ui, "Pace", &mut setting.pace, &pace, 130.0);
+        pick(ui, "Pace", &mut setting.pace, &pace, width);
         let moves = [(Moves::Absolute, "absolute moves"), (Moves::Relative, "relative moves")];
-        pick(ui, "Moves", &mut setting.moves, &moves, 130.0);
-        let bits = [(Arithmetic::Exact, "exact"), (Arithmetic::AsPublished, "16 bits as published")];
-        pick(ui, "Arithmetic", &mut setting.arithmetic, &bits, 150.0);
+        pick(ui, "Moves", &mut setting.moves, &moves, width);
+        let bits = [(Arithmetic::Exact, "exact"), (Arithmetic::AsPublished, "16 bits")];
+        pick(ui, "Arithmetic", &mut setting.arithmetic, &bits, width);
         let watched = [(false, "path watched"), (true, "not watched")];
-        pick(ui, "Watch", &mut setting.unwatched, &watched, 110.0);
+        pick(ui, "Watch", &mut setting.unwatched, &watched, width);
         let names = Fault::all().map(|fault| (Some(fault), fault.to_string()));
         let mut faults = vec![(None, "no fault".to_owned())];
         faults.extend(names);
-        if let Some(fault) = choice(ui, "Fault", &setting.fault, &faults, 190.0) {
+        if let Some(fault) = choice(ui, "Fault", &setting.fault, &faults, width) {
             setting.fault = fault;
         }
-        ui.label(theme::quiet("for the next run", colors));
     });
 }
 

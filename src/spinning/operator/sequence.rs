@@ -398,7 +398,7 @@ impl Sequence {
             notes.push(job.name());
         }
         if let State::Stopped { job, .. } = &self.state {
-            notes.push("Roller drawn back, lathe and pump off.".to_owned());
+            notes.push("Lathe and pump are off.".to_owned());
             notes.extend(job.map(|job| job.name()));
         }
         notes
