@@ -3,6 +3,7 @@
 //! `WINDOW_PICTURES=FOLDER cargo test --test window_shell` writes the pictures to a folder.
 
 #![cfg(feature = "gui")]
+#![allow(clippy::panic, reason = "a test fails by panicking")]
 
 mod common;
 

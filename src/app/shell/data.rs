@@ -120,7 +120,7 @@ fn blank(ui: &mut Ui, session: &mut Session, shell: &Shell) {
     figure(ui, session, follower, blank.follower_diameter, Counts::Length, |s, v| s.blank.follower_diameter = v);
     let names: Vec<(&str, &str)> = materials().iter().map(|m| (m.name, m.name)).collect();
     pick(ui, session, "Material", &shell.material.as_str(), &names, |shell, name| {
-        (*name).clone_into(&mut shell.material)
+        (*name).clone_into(&mut shell.material);
     });
     let forming = [(Forming::Shear, "flow-turning"), (Forming::Spinning, "spinning")];
     pick(ui, session, "Process", &shell.forming, &forming, |shell, forming| shell.forming = *forming);
