@@ -126,6 +126,22 @@ fn save_papers(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) 
     if response.clicked() {
         requests.actions.push(Action::AskSavePapers(PaperKind::SetupSheet));
     }
+    save_strip_papers(ui, session.filter(|_| ready), requests);
+}
+
+/// Papers that only a set of form-rolls has.
+fn save_strip_papers(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) {
+    if session.is_none_or(|s| s.document().content.roll_set().is_none()) {
+        return;
+    }
+    let choice = DrawingChoice::default();
+    let all =
+        [("Save section drawing…", PaperKind::Section(choice)), ("Save templates…", PaperKind::Templates(choice))];
+    for (text, kind) in all {
+        if item(ui, text, None, true) {
+            requests.actions.push(Action::AskSavePapers(kind));
+        }
+    }
 }
 
 fn edit(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) {

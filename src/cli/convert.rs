@@ -25,6 +25,12 @@ pub(crate) struct Convert {
     /// Published input of the flower (.json) for a set of form-rolls.
     #[arg(long, value_name = "FILE")]
     flower: Option<PathBuf>,
+    /// The .dxf drawing is the cross-section of a set of form-rolls: its closed outline, or its mid-line with --thickness.
+    #[arg(long)]
+    section: bool,
+    /// Thickness of the strip for --section, in the unit of the drawing.
+    #[arg(long, value_name = "LENGTH", requires = "section")]
+    thickness: Option<f64>,
 }
 
 pub(super) fn run(args: &Convert) -> Outcome {
@@ -33,7 +39,13 @@ pub(super) fn run(args: &Convert) -> Outcome {
         return Ok(Ending::Good);
     }
     let catalog = catalog();
-    let document = build::open(&args.input, args.machine.as_deref(), &catalog)?;
+    let document = if args.section {
+        let (document, diagnostics) = storage::import::section_drawing(&args.input, args.thickness)?;
+        complain(&diagnostics);
+        Arc::new(document)
+    } else {
+        build::open(&args.input, args.machine.as_deref(), &catalog)?
+    };
     let document = match &args.flower {
         Some(file) => with_more(&document, file, storage::import::with_flower)?,
         None => document,

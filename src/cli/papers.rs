@@ -15,6 +15,12 @@ pub(crate) struct Draw {
     file: PathBuf,
     /// Drawing: .pdf, .svg, .dxf or .plt (HP-GL).
     out: PathBuf,
+    /// Of a set of form-rolls: the finished cross-section with the table of its elements, not the rolls.
+    #[arg(long, conflicts_with = "templates")]
+    section: bool,
+    /// Of a set of form-rolls: the strip of every station, at most ten times its size.
+    #[arg(long)]
+    templates: bool,
     /// Paper, A4 to A0, landscape; without, the smallest that shows the part well.
     #[arg(long)]
     paper: Option<Paper>,
@@ -39,7 +45,12 @@ pub(crate) struct Sheet {
 }
 
 pub(super) fn draw(args: &Draw) -> Outcome {
-    let kind = PaperKind::Drawing(DrawingChoice { paper: args.paper, scale: args.scale });
+    let choice = DrawingChoice { paper: args.paper, scale: args.scale };
+    let kind = match (args.section, args.templates) {
+        (true, _) => PaperKind::Section(choice),
+        (_, true) => PaperKind::Templates(choice),
+        _ => PaperKind::Drawing(choice),
+    };
     let derived = make(kind, &args.file, args.machine.as_deref(), &args.out)?;
     Ok(if has_errors(&derived.diagnostics) { Ending::FoundErrors } else { Ending::Good })
 }

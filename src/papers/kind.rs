@@ -3,6 +3,7 @@
 use super::drawing::{DrawingChoice, drawing};
 use super::page::Page;
 use super::setup_sheet::setup_sheet;
+use super::strip::{section_drawing, templates};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::machine::Catalog;
 use crate::regen::Derived;
@@ -14,6 +15,10 @@ pub enum PaperKind {
     Drawing(DrawingChoice),
     /// The setup sheet of every clamping.
     SetupSheet,
+    /// The finished cross-section of a set of form-rolls, with the table of its elements.
+    Section(DrawingChoice),
+    /// The strip of every station of a set, as large as the paper allows.
+    Templates(DrawingChoice),
 }
 
 impl PaperKind {
@@ -23,6 +28,8 @@ impl PaperKind {
         match self {
             Self::Drawing(_) => "drawing",
             Self::SetupSheet => "setup sheet",
+            Self::Section(_) => "drawing of the section",
+            Self::Templates(_) => "templates",
         }
     }
 
@@ -31,12 +38,17 @@ impl PaperKind {
     /// # Errors
     /// As [`drawing`]; a setup sheet needs a clamping, so the machine must exist.
     pub fn pages(self, derived: &Derived, catalog: &Catalog) -> Result<Vec<Page>, Diagnostic> {
+        match self {
+            Self::Section(choice) => return section_drawing(derived, choice),
+            Self::Templates(choice) => return templates(derived, choice),
+            Self::Drawing(_) | Self::SetupSheet => {}
+        }
         if let Some(set) = &derived.rolls {
             let pages = set.rolls.iter().map(|roll| self.pages(&roll.derived, catalog));
             return Ok(pages.collect::<Result<Vec<_>, _>>()?.concat());
         }
         match self {
-            Self::Drawing(choice) => drawing(derived, choice),
+            Self::Drawing(choice) | Self::Section(choice) | Self::Templates(choice) => drawing(derived, choice),
             Self::SetupSheet if derived.setups.is_empty() => {
                 let message = "There is no clamping that a setup sheet could describe.";
                 let fault = Diagnostic::error("nothing-to-describe", Place::Document, message);

@@ -19,6 +19,7 @@ mod number;
 mod page;
 mod pdf;
 mod setup_sheet;
+mod strip;
 mod svg;
 mod tool_picture;
 mod view;

@@ -36,6 +36,8 @@ impl Purpose {
             Self::Program(_) => "Save the program",
             Self::Papers(PaperKind::Drawing(_)) => "Save the drawing",
             Self::Papers(PaperKind::SetupSheet) => "Save the setup sheet",
+            Self::Papers(PaperKind::Section(_)) => "Save the drawing of the section",
+            Self::Papers(PaperKind::Templates(_)) => "Save the templates",
         }
     }
 

@@ -11,7 +11,7 @@ mod layout;
 mod marks;
 mod outline;
 mod row;
-mod scale;
+pub(super) mod scale;
 mod subject;
 #[cfg(test)]
 mod tests;

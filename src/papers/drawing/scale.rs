@@ -4,9 +4,9 @@ use std::fmt::Write;
 
 /// A scale.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Scale {
+pub(in crate::papers) struct Scale {
     /// mm on paper for one mm of the part.
-    pub(super) factor: f64,
+    pub(in crate::papers) factor: f64,
 }
 
 const fn of(factor: f64) -> Scale {
@@ -14,7 +14,7 @@ const fn of(factor: f64) -> Scale {
 }
 
 /// The usual scales, the largest first.
-pub(super) const SCALES: [Scale; 12] = [
+pub(in crate::papers) const SCALES: [Scale; 12] = [
     of(50.0),
     of(20.0),
     of(10.0),
@@ -31,7 +31,7 @@ pub(super) const SCALES: [Scale; 12] = [
 
 impl Scale {
     /// `2:1`, `1:5`.
-    pub(super) fn name(self) -> String {
+    pub(in crate::papers) fn name(self) -> String {
         let larger = self.factor >= 1.0;
         let figure = format!("{:.3}", if larger { self.factor } else { 1.0 / self.factor });
         let figure = figure.trim_end_matches('0').trim_end_matches('.');

@@ -1,7 +1,9 @@
 //! Opening any file that holds a part.
 
 use super::roll::is_roll;
-use super::{CadTexts, Imported, cad, dxf, instructions, name_of, roll, roll_flower, roll_section, tsv};
+use super::{
+    CadTexts, Imported, cad, dxf, instructions, name_of, roll, roll_flower, roll_section, roll_section_dxf, tsv,
+};
 use crate::diagnostic::Diagnostic;
 use crate::document::Document;
 use crate::part::Section;
@@ -55,6 +57,16 @@ pub fn any(path: &Path, default_machine: &str) -> Result<(Document, Vec<Diagnost
             roll_section(&path.display().to_string(), &text)
         }
     }
+}
+
+/// Makes a set of form-rolls of a drawing (`.dxf`) of its cross-section: a closed outline, or a mid-line with its
+/// `thickness` in the unit of the drawing.
+///
+/// # Errors
+/// Diagnostics with the values if the file cannot be read or shows no section.
+pub fn section_drawing(path: &Path, thickness: Option<f64>) -> Result<(Document, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let bytes = textfile::read_bytes(path, MOST_BYTES).map_err(|d| vec![d])?;
+    roll_section_dxf(&path.display().to_string(), &bytes, thickness)
 }
 
 /// Gives a set of form-rolls the stations and angles of a published flower (`.json`).

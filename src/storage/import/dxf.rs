@@ -13,7 +13,7 @@ use std::path::Path;
 
 /// Ends of lines and arcs that are nearer than this belong together, mm: what drawing programs leave of rounding, and far
 /// below what a lathe can make.
-const JOIN_MM: f64 = 0.001;
+pub(super) const JOIN_MM: f64 = 0.001;
 
 /// Reads a profile of lines, arcs, circles and light-weight polylines; `file` is its name for messages and `name` becomes
 /// the document's name.
@@ -55,7 +55,7 @@ pub fn dxf(
     Ok((document, diagnostics))
 }
 
-fn load(file: &str, bytes: &[u8]) -> Result<Drawing, Diagnostic> {
+pub(super) fn load(file: &str, bytes: &[u8]) -> Result<Drawing, Diagnostic> {
     let lines = bytes.split(|&b| b == b'\n').count();
     // The reader takes any beginning of a file for a whole one, so the end is looked for here.
     let tail = bytes.get(bytes.len().saturating_sub(64)..).unwrap_or_default();
@@ -114,7 +114,11 @@ fn line_of(error: &DxfError) -> Option<usize> {
 }
 
 /// The document's unit, and how many of it one unit of the drawing is.
-fn unit_of(drawing: &Drawing, at: &Place, diagnostics: &mut Vec<Diagnostic>) -> Result<(Unit, f64), Diagnostic> {
+pub(super) fn unit_of(
+    drawing: &Drawing,
+    at: &Place,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Result<(Unit, f64), Diagnostic> {
     Ok(match drawing.header.default_drawing_units {
         Units::Inches | Units::USSurveyInch => (Unit::Inch, 1.0),
         Units::Feet => (Unit::Inch, 12.0),

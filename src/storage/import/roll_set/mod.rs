@@ -3,9 +3,12 @@
 //! The fields have the published names (Wong 1983, appendix 5 A to C), lengths with `_mm` or `_in` after them. What else is
 //! in the files are remarks. A section with two lists of elements has the second one in `elements_of_other_side`.
 
+mod dxf;
 mod flower;
 mod json;
 mod section;
+
+pub use dxf::roll_section_dxf;
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::{Content, Document, RollSet};

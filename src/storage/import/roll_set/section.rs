@@ -50,7 +50,8 @@ pub(super) fn document(reader: &mut Reader<'_>, fields: &Fields<'_>, name: Strin
     Some(Document { turnwright: FORMAT_VERSION, name, unit, content })
 }
 
-fn set(section: CrossSection) -> RollSet {
+/// A set with this section, mm, and nothing else decided.
+pub(super) fn set(section: CrossSection) -> RollSet {
     RollSet {
         machine: MACHINE.to_owned(),
         material: MATERIAL.to_owned(),

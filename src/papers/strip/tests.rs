@@ -1,0 +1,79 @@
+use super::*;
+use crate::cancel::Cancel;
+use crate::document::{Content, FORMAT_VERSION};
+use crate::machine::Catalog;
+use crate::papers::page::Item;
+use crate::regen::{Cache, regenerate};
+use crate::rollform::fixtures::published;
+use std::sync::Arc;
+
+fn derived(set: RollSet) -> Derived {
+    // Without rolls, which the papers of the strip do not need.
+    let mut set = set;
+    set.stations.iter_mut().for_each(|station| station.without_rolls = true);
+    let content = Content::RollSet(set);
+    let document = Document { turnwright: FORMAT_VERSION, name: "1470b".to_owned(), unit: Unit::Mm, content };
+    regenerate(&Arc::new(document), &Catalog::shipped(), &mut Cache::default(), &Cancel::default()).unwrap()
+}
+
+fn texts(page: &Page) -> Vec<&str> {
+    page.items.iter().filter_map(|i| if let Item::Text { text, .. } = i { Some(text.as_str()) } else { None }).collect()
+}
+
+/// True if all lines lie within the sheet.
+fn is_inside(page: &Page) -> bool {
+    page.items.iter().all(|item| match item {
+        Item::Path { path, .. } => path
+            .bounds()
+            .is_none_or(|b| b.min.z >= 0.0 && b.min.r >= 0.0 && b.max.z <= page.width_mm && b.max.r <= page.height_mm),
+        Item::Text { at, .. } => at.z >= 0.0 && at.r >= 0.0 && at.z <= page.width_mm && at.r <= page.height_mm,
+    })
+}
+
+#[test]
+fn section_has_its_sizes_its_numbers_and_its_table() {
+    let pages = section_drawing(&derived(published()), DrawingChoice::default()).unwrap();
+    assert_eq!(pages.len(), 2);
+    assert!(pages.iter().all(is_inside));
+    let drawn = texts(&pages[0]);
+    for wanted in ["Finished section", "1470b", "112.844 (r + t/2)", "0.5", "DC01", "1", "11", "20", "21"] {
+        assert!(drawn.contains(&wanted), "{wanted}: {drawn:?}");
+    }
+    let table = texts(&pages[1]);
+    for wanted in ["R 1.5", "-23°", "bend down", "1.824", "40.65", "-180°"] {
+        assert!(table.contains(&wanted), "{wanted}: {table:?}");
+    }
+}
+
+#[test]
+fn every_station_has_a_template_on_any_paper() {
+    for paper in Paper::ALL {
+        let choice = DrawingChoice { paper: Some(paper), scale: None };
+        let pages = templates(&derived(published()), choice).unwrap();
+        assert_eq!(pages.len(), 3);
+        assert!(pages.iter().all(is_inside), "{paper:?}");
+        assert!(pages.iter().all(|page| page.part.is_some_and(|view| view.scale <= 10.0)));
+    }
+    let large = templates(&derived(published()), DrawingChoice { paper: Some(Paper::A0), scale: Some(9.0) }).unwrap();
+    assert!(large.iter().all(|page| page.part.unwrap().scale == 9.0 && is_inside(page)));
+}
+
+#[test]
+fn a_scale_that_does_not_fit_is_refused_with_the_largest_that_does() {
+    let asked = |scale| DrawingChoice { paper: Some(Paper::A4), scale: Some(scale) };
+    let refused = templates(&derived(published()), asked(10.0)).unwrap_err();
+    assert_eq!(refused.code, "drawing-scale");
+    assert!(refused.message.contains("on A4") && refused.message.contains("at most 2.06"), "{}", refused.message);
+    for scale in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert!(section_drawing(&derived(published()), asked(scale)).is_err());
+    }
+}
+
+#[test]
+fn nothing_to_draw_says_so() {
+    let mut set = published();
+    set.stations.clear();
+    assert_eq!(templates(&derived(set.clone()), DrawingChoice::default()).unwrap_err().code, "nothing-to-draw");
+    set.section.elements.clear();
+    assert_eq!(section_drawing(&derived(set), DrawingChoice::default()).unwrap_err().code, "nothing-to-draw");
+}
