@@ -66,6 +66,11 @@ impl Chain {
         here.map(|p| p.at(z)).reduce(f64::max)
     }
 
+    /// Smallest value anywhere; +∞ without any.
+    pub(super) fn lowest(&self) -> f64 {
+        self.pieces.iter().map(Piece::lowest).fold(f64::INFINITY, f64::min)
+    }
+
     /// Largest value in a stretch; −∞ in a gap.
     pub(super) fn highest(&self, z0: f64, z1: f64) -> f64 {
         let inside = self.over(z0, z1).filter_map(|p| p.clipped(z0, z1)).map(|p| p.highest());
@@ -225,6 +230,22 @@ impl Chain {
             }
         }
         self
+    }
+
+    /// The same of functions that nobody else needs.
+    pub(super) fn largest_of(mut all: Vec<Self>) -> Self {
+        while all.len() > 1 {
+            let mut left = all.into_iter();
+            let mut joined = Vec::with_capacity(left.len().div_ceil(2));
+            while let Some(first) = left.next() {
+                joined.push(match left.next() {
+                    Some(second) => first.max(&second),
+                    None => first,
+                });
+            }
+            all = joined;
+        }
+        all.pop().unwrap_or_default()
     }
 
     /// Area between this function and another one where this is above it, mm²; where the other has a gap nothing counts.

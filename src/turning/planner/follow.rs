@@ -65,7 +65,7 @@ impl Follow<'_> {
         let (Some(first), Some(last)) = (stock.pieces.first(), stock.pieces.last()) else { return low };
         for _ in 0..MOST_RAISES {
             let left = stock.min(&Work::left_by(&self.cutter.cutting, &segments(&low))).clipped(first.z0, last.z1);
-            let needed = self.cutter.guard.over(&left).clipped(*z0, *z1);
+            let needed = self.cutter.guard.over_within(&left, *z0, *z1, low.lowest()).clipped(*z0, *z1);
             if needed.runs_over(&low, RAISED_MM).is_empty() {
                 break;
             }

@@ -2,12 +2,12 @@
 
 use super::chain::{Chain, Run};
 use super::conditions::Conditions;
-use super::link::go;
+use super::link::{CLEARANCE_MM, go};
 use super::piece::{Piece, SAME_MM};
 use super::shape::Shape;
 use super::tool::Cutter;
 use super::trace::one_direction;
-use super::work::{Work, covered_along, left_along};
+use super::work::{AIR_MM, Work, covered_along, left_along};
 use crate::geometry::{Bounds, Point, Segment};
 use crate::turning::{Cut, CutMove};
 
@@ -206,15 +206,14 @@ impl<'a> Path<'a> {
     /// How low the insert may go between two positions without touching stock; only what is above `above` counts.
     pub(super) fn touch(&self, z0: f64, z1: f64, above: f64) -> Chain {
         let (from, to) = self.window(z0, z1);
-        self.cutter.insert.over(&higher(&self.work.stock, from, to, above + self.cutter.low)).clipped(z0, z1)
+        let stock = higher(&self.work.stock, from, to, above + self.cutter.low);
+        self.cutter.insert.over_within(&stock, z0, z1, above).clipped(z0, z1)
     }
 
     /// How low the tool may go between two positions without touching stock or what holds it; only what is above `above`
     /// counts, and where that is nothing there is no value.
     pub(super) fn air(&self, z0: f64, z1: f64, above: f64) -> Chain {
-        let ((from, to), above) = (self.window(z0, z1), above + self.cutter.low);
-        let solid = higher(&self.work.cover, from, to, above).max(&higher(&self.work.passed, from, to, above));
-        self.cutter.body.over(&solid)
+        self.air_over(&self.work.cover, (z0, z1), above)
     }
 
     /// True if something hangs over within reach of the tool between two positions.
@@ -225,9 +224,14 @@ impl<'a> Path<'a> {
 
     /// The same as [`Path::air`] from where the tool is: without what hangs over it, which [`Path::hangs_over`] knows.
     pub(super) fn air_here(&self, z0: f64, z1: f64, above: f64) -> Chain {
-        let ((from, to), above) = (self.window(z0, z1), above + self.cutter.low);
-        let solid = higher(&self.work.stock, from, to, above).max(&higher(&self.work.passed, from, to, above));
-        self.cutter.body.over(&solid)
+        self.air_over(&self.work.stock, (z0, z1), above)
+    }
+
+    /// How low the tool may go over `stock` and what holds it; what is a clearance below `above` is nobody's concern.
+    fn air_over(&self, stock: &Chain, (z0, z1): (f64, f64), above: f64) -> Chain {
+        let ((from, to), low) = (self.window(z0, z1), above + self.cutter.low);
+        let solid = higher(stock, from, to, low).max(&higher(&self.work.passed, from, to, low));
+        self.cutter.body.over_within(&solid, z0 - AIR_MM, z1 + AIR_MM, above - 2.0 * CLEARANCE_MM)
     }
 
     /// True if the tool would run into something that hangs over it on its straight way to `to`.
@@ -274,7 +278,7 @@ fn run_into(shape: &Shape, stock: &Chain, way: &Piece, above: f64, extent: (f64,
     if near.pieces.is_empty() {
         return None;
     }
-    let needed = shape.over(&near).clipped(way.z0, way.z1);
+    let needed = shape.over_within(&near, way.z0, way.z1, way.lowest()).clipped(way.z0, way.z1);
     needed.runs_over(&Chain { pieces: vec![*way] }, TOUCH_MM).pop()
 }
 

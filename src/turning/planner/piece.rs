@@ -81,6 +81,11 @@ impl Piece {
         }
     }
 
+    /// Smallest radius, mm.
+    pub(super) fn lowest(&self) -> f64 {
+        -self.negated().highest()
+    }
+
     /// Area below the piece down to the axis, mm²; what lies below the axis counts against it.
     pub(super) fn area(&self) -> f64 {
         let width = self.z1 - self.z0;

@@ -48,6 +48,8 @@ pub(super) struct Concave {
     pub(super) elements: Vec<Element>,
     /// The same as a function.
     pub(super) chain: Chain,
+    /// Its largest value, mm.
+    pub(super) top: f64,
 }
 
 /// The upper boundary of a body.
@@ -157,7 +159,50 @@ fn add_parts(pieces: &[Piece], parts: &mut Vec<Concave>) {
 impl Concave {
     fn new(pieces: Vec<Piece>) -> Option<Self> {
         let start = pieces.first()?.left();
-        Some(Self { start, elements: pieces.iter().map(Element::of).collect(), chain: Chain { pieces } })
+        let top = pieces.iter().map(Piece::highest).fold(f64::NEG_INFINITY, f64::max);
+        Some(Self { start, elements: pieces.iter().map(Element::of).collect(), chain: Chain { pieces }, top })
+    }
+
+    /// Where the stretch begins.
+    pub(super) const fn z0(&self) -> f64 {
+        self.start.z
+    }
+
+    /// Where it ends.
+    pub(super) fn z1(&self) -> f64 {
+        self.chain.pieces.last().map_or(self.start.z, |p| p.z1)
+    }
+
+    /// The sum of this stretch with a line: what comes before the line's direction on its left end, the rest on its right end,
+    /// and the line between.
+    pub(super) fn along_line(&self, piece: &Piece) -> Chain {
+        let (a, b, normal) = (piece.left(), piece.right(), Element::of(piece).first_normal());
+        let mut pieces = Vec::with_capacity(self.elements.len() + 2);
+        let mut walked = false;
+        let line = |pieces: &mut Vec<Piece>, corner: Point| {
+            let at = |end: Point| Point::new(end.z + corner.z, end.r + corner.r);
+            pieces.push(Piece::line(at(a), at(b)));
+        };
+        for (element, part) in self.elements.iter().zip(&self.chain.pieces) {
+            if !walked && element.last_normal() < normal {
+                walked = true;
+                let place = match *element {
+                    Element::Arc { from, radius, center, .. } if from > normal => center.z + radius * normal.cos(),
+                    _ => part.z0,
+                };
+                pieces.extend(part.clipped(f64::NEG_INFINITY, place).map(|p| p.shifted(a.z, a.r)));
+                line(&mut pieces, Point::new(place, part.at(place)));
+                pieces.extend(part.clipped(place, f64::INFINITY).map(|p| p.shifted(b.z, b.r)));
+                continue;
+            }
+            let end = if walked { b } else { a };
+            pieces.push(part.shifted(end.z, end.r));
+        }
+        if !walked {
+            let last = self.chain.pieces.last().map_or(self.start, Piece::right);
+            line(&mut pieces, last);
+        }
+        Chain { pieces }
     }
 
     /// Every rounding of the stretch; a corner is one of no radius.

@@ -68,6 +68,11 @@ pub(super) fn simplified(path: &[Segment], by: f64) -> Vec<Segment> {
 fn spans(part: &[Segment], by: f64) -> bool {
     let (Some(first), Some(last)) = (part.first(), part.last()) else { return false };
     let Some(line) = Piece::of(&Segment::line(first.start(), last.end())) else { return false };
+    // Corners tell most of them.
+    let fits = |p: Point| (-SAME_MM.sqrt() - SAME_MM..=by + SAME_MM).contains(&(line.at(p.z) - p.r));
+    if !part.iter().filter_map(Piece::of).all(|p| fits(p.left()) && fits(p.right())) {
+        return false;
+    }
     let way = Chain { pieces: part.iter().rev().filter_map(Piece::of).collect() };
     let line = Chain { pieces: vec![line] };
     way.runs_over(&line, SAME_MM.sqrt()).is_empty() && line.runs_over(&way, by).is_empty()

@@ -132,7 +132,7 @@ impl Work {
     /// How low a tool may go if `allowance` mm are left on the contour.
     pub(super) fn limit(&self, cutter: &Cutter, allowance: f64) -> Limit {
         let kept = if allowance > 0.0 { Shape::disc(allowance).over(&self.part) } else { self.part.clone() };
-        self.limited(cutter, &cutter.body.over(&kept.max(&self.jaws).max(&self.bar(cutter))))
+        self.limited(cutter, &kept.max(&self.jaws).max(&self.bar(cutter)))
     }
 
     /// The bar that stays beside what is machined, for other tools than right-hand ones with the slivers on its face.
@@ -158,8 +158,8 @@ impl Work {
         cutter.body.over(&self.cover.max(&self.passed))
     }
 
-    /// Where the programmed point may be at all: up to the bar that stays, and beyond an end that is free.
-    fn limited(&self, cutter: &Cutter, chain: &Chain) -> Limit {
+    /// Where the programmed point may be over what is kept: up to the bar that stays, and beyond an end that is free.
+    fn limited(&self, cutter: &Cutter, kept: &Chain) -> Limit {
         let starts = self.stock.pieces.first().map_or(self.from_z, |p| p.z0).min(self.from_z);
         let ends = self.end_z().max(self.face_z);
         let beside = SLIVER_MM;
@@ -173,8 +173,9 @@ impl Work {
         } else {
             ends - cutter.extent.0 + 2.0 * AIR_MM
         };
-        let floor = Chain::level(z0, z1, self.floor.max(-cutter.nose));
-        Limit { chain: chain.clipped(z0, z1).max(&floor), z0, z1 }
+        let floor = self.floor.max(-cutter.nose);
+        let chain = cutter.body.over_within(kept, z0, z1, floor).clipped(z0, z1);
+        Limit { chain: chain.max(&Chain::level(z0, z1, floor)), z0, z1 }
     }
 
     /// Takes away what the insert of a tool covers along a segment.
@@ -189,8 +190,7 @@ impl Work {
 
     /// What is left below a shape with its radius turned over that goes along `path`.
     pub(super) fn left_by(edge: &Shape, path: &[Segment]) -> Chain {
-        let leaves: Vec<Chain> = path.iter().map(|s| swept(edge, s)).collect();
-        Chain::largest(&leaves).negated()
+        Chain::largest_of(path.iter().map(|s| swept(edge, s)).collect()).negated()
     }
 }
 
@@ -206,7 +206,7 @@ pub(super) fn covered_along(top: &Shape, segment: &Segment) -> Chain {
         let (a, b) = (segment.start(), segment.end());
         return top.at(if a.r <= b.r { b } else { a });
     }
-    Chain::largest(&pieces.into_iter().map(|p| top.over(&Chain { pieces: vec![p] })).collect::<Vec<_>>())
+    Chain::largest_of(pieces.into_iter().map(|p| top.over(&Chain { pieces: vec![p] })).collect())
 }
 
 /// The lower boundary of a swept tool, negated.
@@ -219,5 +219,5 @@ fn swept(edge: &Shape, segment: &Segment) -> Chain {
     }
     let pieces: Vec<Piece> = parts.map(|p| p.negated()).collect();
     // One after the other: a segment may turn back along z.
-    Chain::largest(&pieces.into_iter().map(|p| edge.over(&Chain { pieces: vec![p] })).collect::<Vec<_>>())
+    Chain::largest_of(pieces.into_iter().map(|p| edge.over(&Chain { pieces: vec![p] })).collect())
 }
