@@ -135,8 +135,11 @@ fn save_strip_papers(ui: &mut Ui, session: Option<&Session>, requests: &mut Requ
         return;
     }
     let choice = DrawingChoice::default();
-    let all =
-        [("Save section drawing…", PaperKind::Section(choice)), ("Save templates…", PaperKind::Templates(choice))];
+    let all = [
+        ("Save section drawing…", PaperKind::Section(choice)),
+        ("Save templates…", PaperKind::Templates(choice)),
+        ("Save parts list…", PaperKind::PartsList),
+    ];
     for (text, kind) in all {
         if item(ui, text, None, true) {
             requests.actions.push(Action::AskSavePapers(kind));

@@ -10,6 +10,7 @@ use turnwright::diagnostic::{Diagnostic, Place, Severity};
 use turnwright::document::Document;
 use turnwright::machine::Catalog;
 use turnwright::output::{self, OutputFile};
+use turnwright::papers::{self, DrawingChoice, PaperKind};
 use turnwright::regen::{self, Cache, Derived, SetupDerived, ShellDerived};
 use turnwright::storage;
 
@@ -32,6 +33,7 @@ pub(super) fn run(args: &Build) -> Outcome {
     let derived = derive(&document, &catalog)?;
     let files = output::files(&derived);
     write_all(&args.out, &files)?;
+    write_papers(&args.out, &derived, &catalog)?;
     complain(&derived.diagnostics);
     derived.setups.iter().for_each(report_setup);
     derived.shell.iter().for_each(|made| report_shell(made));
@@ -97,6 +99,19 @@ fn write_all(folder: &Path, files: &[OutputFile]) -> Result<(), Vec<Diagnostic>>
         std::fs::write(&path, &file.text).map_err(|e| failed(&path, &e))?;
     }
     Ok(())
+}
+
+/// Writes the drawing of every roll of a set and its parts list as PDF. Other documents have their papers by `draw` and `sheet`.
+fn write_papers(folder: &Path, derived: &Derived, catalog: &Catalog) -> Result<(), Vec<Diagnostic>> {
+    let Some(set) = &derived.rolls else { return Ok(()) };
+    let save = |name: &str, kind: PaperKind, of: &Derived| -> Result<(), Vec<Diagnostic>> {
+        let written = kind.pages(of, catalog).and_then(|pages| papers::save(&folder.join(name), &pages));
+        written.map(|_| ()).map_err(|d| vec![d])
+    };
+    for roll in &set.rolls {
+        save(&format!("{}.pdf", roll.name), PaperKind::Drawing(DrawingChoice::default()), &roll.derived)?;
+    }
+    save(&format!("{}.parts.pdf", derived.document.name), PaperKind::PartsList, derived)
 }
 
 fn report_setup(item: &SetupDerived) {

@@ -2,6 +2,7 @@
 
 mod contour;
 mod report;
+mod rolls;
 mod setup;
 mod shell;
 
@@ -24,6 +25,7 @@ pub struct OutputFile {
 pub fn files(derived: &Derived) -> Vec<OutputFile> {
     let mut files: Vec<OutputFile> = derived.setups.iter().flat_map(|s| setup_files(derived, s)).collect();
     files.extend(derived.shell.iter().flat_map(|made| shell::files(made)));
+    files.extend(rolls::files(derived));
     files.push(OutputFile { name: "report.json".to_owned(), text: pretty(&report::report(derived)) });
     files
 }

@@ -2,6 +2,7 @@
 
 use super::drawing::{DrawingChoice, drawing};
 use super::page::Page;
+use super::parts_list::parts_list;
 use super::setup_sheet::setup_sheet;
 use super::strip::{section_drawing, templates};
 use crate::diagnostic::{Diagnostic, Place};
@@ -19,6 +20,8 @@ pub enum PaperKind {
     Section(DrawingChoice),
     /// The strip of every station of a set, as large as the paper allows.
     Templates(DrawingChoice),
+    /// The list of all rolls of a set.
+    PartsList,
 }
 
 impl PaperKind {
@@ -30,6 +33,7 @@ impl PaperKind {
             Self::SetupSheet => "setup sheet",
             Self::Section(_) => "drawing of the section",
             Self::Templates(_) => "templates",
+            Self::PartsList => "parts list",
         }
     }
 
@@ -38,25 +42,23 @@ impl PaperKind {
     /// # Errors
     /// As [`drawing`]; a setup sheet needs a clamping, so the machine must exist.
     pub fn pages(self, derived: &Derived, catalog: &Catalog) -> Result<Vec<Page>, Diagnostic> {
-        match self {
-            Self::Section(choice) => return section_drawing(derived, choice),
-            Self::Templates(choice) => return templates(derived, choice),
-            Self::Drawing(_) | Self::SetupSheet => {}
-        }
-        if let Some(set) = &derived.rolls {
-            let pages = set.rolls.iter().map(|roll| self.pages(&roll.derived, catalog));
-            return Ok(pages.collect::<Result<Vec<_>, _>>()?.concat());
-        }
-        match self {
-            Self::Drawing(choice) | Self::Section(choice) | Self::Templates(choice) => drawing(derived, choice),
-            Self::SetupSheet if derived.setups.is_empty() => {
+        match (self, &derived.rolls) {
+            (Self::Section(choice), _) => section_drawing(derived, choice),
+            (Self::Templates(choice), _) => templates(derived, choice),
+            (Self::PartsList, _) => parts_list(derived),
+            (_, Some(set)) => {
+                let pages = set.rolls.iter().map(|roll| self.pages(&roll.derived, catalog));
+                Ok(pages.collect::<Result<Vec<_>, _>>()?.concat())
+            }
+            (Self::Drawing(choice), None) => drawing(derived, choice),
+            (Self::SetupSheet, None) if derived.setups.is_empty() => {
                 let message = "There is no clamping that a setup sheet could describe.";
                 let fault = Diagnostic::error("nothing-to-describe", Place::Document, message);
                 Err(fault.with_hint(
                     "The part needs a length, and a machine and a material that exist; see what is said about them.",
                 ))
             }
-            Self::SetupSheet => {
+            (Self::SetupSheet, None) => {
                 Ok(derived.setups.iter().flat_map(|item| setup_sheet(derived, item, catalog)).collect())
             }
         }

@@ -38,6 +38,7 @@ impl Purpose {
             Self::Papers(PaperKind::SetupSheet) => "Save the setup sheet",
             Self::Papers(PaperKind::Section(_)) => "Save the drawing of the section",
             Self::Papers(PaperKind::Templates(_)) => "Save the templates",
+            Self::Papers(PaperKind::PartsList) => "Save the parts list",
         }
     }
 

@@ -10,6 +10,7 @@ mod lines;
 mod palette;
 mod profile;
 mod regions;
+mod roll;
 #[cfg(test)]
 mod sample;
 mod shell;
@@ -26,6 +27,7 @@ pub use cut::{CutEvent, CutScene, CutView, clock, cut_plot};
 pub use flower::{FlowerEvent, FlowerPlotView, FlowerScene, flower_plot};
 pub use palette::{LeftoverClass, Palette};
 pub use profile::{Dimension, End, NodeMove, Phase, ProfileEvent, ProfileScene, ProfileView, SectionEnd, profile_plot};
+pub use roll::{RollPlotEvent, RollScene, roll_plot};
 pub use shell::{ShellEvent, ShellPlot, ShellScene, shell_plot};
 pub use solid::{SolidScene, SolidView, solid_view};
 pub use station::{StationEvent, StationScene, StationView, station_plot};

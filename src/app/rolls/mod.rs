@@ -29,6 +29,7 @@ pub(crate) struct RollsViews {
     suggest: suggest::SuggestView,
     flower: flower::FlowerView,
     charts: charts::ChartsView,
+    editor: editor::EditorView,
 }
 
 impl RollsViews {

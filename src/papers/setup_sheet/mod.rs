@@ -4,7 +4,7 @@ mod facts;
 mod picture;
 mod tables;
 mod tools;
-mod writer;
+pub(super) mod writer;
 
 use super::number::number;
 use super::page::Page;

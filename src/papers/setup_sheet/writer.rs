@@ -6,39 +6,43 @@ use crate::papers::page::{Align, Ink, Page, Paper, Pen};
 use std::borrow::Cow;
 
 /// Left border of the page, mm.
-pub(super) const LEFT_MM: f64 = 20.0;
+pub(in crate::papers) const LEFT_MM: f64 = 20.0;
 /// Right border of the page, mm from the left.
-pub(super) const RIGHT_MM: f64 = 195.0;
+pub(in crate::papers) const RIGHT_MM: f64 = 195.0;
 /// Upper border of the page, mm from below.
 const TOP_MM: f64 = 285.0;
 /// Lower border of the page, mm.
 const BOTTOM_MM: f64 = 15.0;
 /// Height of the capitals of text, mm.
-pub(super) const TEXT_MM: f64 = 2.3;
+pub(in crate::papers) const TEXT_MM: f64 = 2.3;
 /// From one line of text to the next, mm.
-pub(super) const LINE_MM: f64 = 5.2;
+pub(in crate::papers) const LINE_MM: f64 = 5.2;
 
 /// Writes from the top of a page to its end, and on a new one.
-pub(super) struct Writer {
+pub(in crate::papers) struct Writer {
     title: String,
     pages: Vec<Page>,
     /// The page being written.
-    pub(super) page: Page,
+    pub(in crate::papers) page: Page,
     /// The heading of what is being written.
     table: Option<String>,
     /// Height on the page down to which it is written, mm.
-    pub(super) r: f64,
+    pub(in crate::papers) r: f64,
 }
 
 impl Writer {
     /// Begins the sheet of a clamping.
-    pub(super) fn new(name: &str) -> Self {
-        let title = format!("Setup sheet {name}");
+    pub(in crate::papers) fn new(name: &str) -> Self {
+        Self::titled(format!("Setup sheet {name}"))
+    }
+
+    /// Begins a paper with this title.
+    pub(in crate::papers) fn titled(title: String) -> Self {
         Self { page: empty(&title), title, pages: Vec::new(), table: None, r: TOP_MM }
     }
 
     /// Makes room for something of this height, on a new page if there is none left; what goes on there says so.
-    pub(super) fn need(&mut self, height: f64) {
+    pub(in crate::papers) fn need(&mut self, height: f64) {
         if self.r - height < BOTTOM_MM {
             self.turn_over();
             if let Some(table) = self.table.clone() {
@@ -54,7 +58,7 @@ impl Writer {
     }
 
     /// A heading that stays with what follows, at least `follows` mm of it.
-    pub(super) fn heading(&mut self, text: &str, follows: f64) {
+    pub(in crate::papers) fn heading(&mut self, text: &str, follows: f64) {
         if self.r - (1.5 * LINE_MM + 2.0 + follows) < BOTTOM_MM {
             self.turn_over();
         }
@@ -70,12 +74,12 @@ impl Writer {
     }
 
     /// A line across the page.
-    pub(super) fn rule(&mut self) {
+    pub(in crate::papers) fn rule(&mut self) {
         self.page.line(Point::new(LEFT_MM, self.r), Point::new(RIGHT_MM, self.r), Pen::THIN);
     }
 
     /// One row of a table; texts that are too long for their column are cut with an ellipsis.
-    pub(super) fn row(&mut self, cells: &[Cell<'_>]) {
+    pub(in crate::papers) fn row(&mut self, cells: &[Cell<'_>]) {
         self.need(LINE_MM);
         self.r -= LINE_MM;
         for cell in cells {
@@ -86,7 +90,7 @@ impl Writer {
     }
 
     /// A row whose last text may take several lines.
-    pub(super) fn wrapped_row(&mut self, first: Option<Cell<'_>>, last: &Cell<'_>) {
+    pub(in crate::papers) fn wrapped_row(&mut self, first: Option<Cell<'_>>, last: &Cell<'_>) {
         let mut first = first;
         for line in wrapped(&last.text, TEXT_MM, last.width) {
             let text = Cell { text: Cow::Owned(line), ..*last };
@@ -98,7 +102,7 @@ impl Writer {
     }
 
     /// The pages with their numbers.
-    pub(super) fn done(mut self) -> Vec<Page> {
+    pub(in crate::papers) fn done(mut self) -> Vec<Page> {
         self.pages.push(self.page);
         let count = self.pages.len();
         for (k, page) in self.pages.iter_mut().enumerate() {
@@ -116,30 +120,30 @@ fn empty(title: &str) -> Page {
 }
 
 /// A text in a column.
-pub(super) struct Cell<'a> {
+pub(in crate::papers) struct Cell<'a> {
     /// Left border, mm.
-    pub(super) z: f64,
+    pub(in crate::papers) z: f64,
     /// Width, mm.
-    pub(super) width: f64,
+    pub(in crate::papers) width: f64,
     /// Side at which the text stands.
-    pub(super) align: Align,
+    pub(in crate::papers) align: Align,
     /// Colour.
-    pub(super) ink: Ink,
+    pub(in crate::papers) ink: Ink,
     /// The characters.
-    pub(super) text: Cow<'a, str>,
+    pub(in crate::papers) text: Cow<'a, str>,
 }
 
 /// A text at the left of its column.
-pub(super) fn cell<'a>(z: f64, width: f64, text: impl Into<Cow<'a, str>>) -> Cell<'a> {
+pub(in crate::papers) fn cell<'a>(z: f64, width: f64, text: impl Into<Cow<'a, str>>) -> Cell<'a> {
     Cell { z, width, align: Align::Start, ink: Ink::Black, text: text.into() }
 }
 
 /// A remark.
-pub(super) fn grey<'a>(z: f64, width: f64, text: impl Into<Cow<'a, str>>) -> Cell<'a> {
+pub(in crate::papers) fn grey<'a>(z: f64, width: f64, text: impl Into<Cow<'a, str>>) -> Cell<'a> {
     Cell { ink: Ink::Grey, ..cell(z, width, text) }
 }
 
 /// A figure at the right of its column.
-pub(super) fn figure<'a>(z: f64, width: f64, text: impl Into<Cow<'a, str>>) -> Cell<'a> {
+pub(in crate::papers) fn figure<'a>(z: f64, width: f64, text: impl Into<Cow<'a, str>>) -> Cell<'a> {
     Cell { align: Align::End, ..cell(z, width, text) }
 }

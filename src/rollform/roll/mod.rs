@@ -61,7 +61,7 @@ mod published;
 mod tests;
 
 use super::bends::Stage;
-use super::strip::Strip;
+use super::strip::{Strip, along};
 use crate::document::{ElementName, RollKind, RollSet};
 use crate::geometry::{Contour, Segment};
 pub use frame::Frame;
@@ -154,4 +154,30 @@ pub fn station_rolls(set: &RollSet, index: usize) -> Option<StationRolls> {
 
 fn is_finite(bounds: crate::geometry::Bounds) -> bool {
     bounds.min.is_finite() && bounds.max.is_finite()
+}
+
+/// The closed outline of a strip, `clearance` mm off its faces and edges. Empty without pieces.
+pub(super) fn around(strip: &Strip, clearance: f64) -> Contour {
+    let (Some(first), Some(last)) = (strip.pieces.first(), strip.pieces.last()) else { return Contour::default() };
+    let side = |of: face::StripFace| {
+        let mut chain = face::Face::at(transition::ends(first, of, clearance).0);
+        for piece in &strip.pieces {
+            transition::plain(&mut chain, piece, of, clearance);
+        }
+        let (back, on) = (along(first.heading_rad) * -clearance, along(last.end_heading_rad()) * clearance);
+        (chain.start + back, chain.elements, chain.start, on)
+    };
+    let (bottom_start, bottom, bottom_first, on) = side(face::StripFace::Bottom);
+    let (top_start, top, top_first, _) = side(face::StripFace::Top);
+    let end = |elements: &[RollElement], start| elements.last().map_or(start, |e| e.segment.end()) + on;
+    let (bottom_end, top_end) = (end(&bottom, bottom_first), end(&top, top_first));
+    let there = [Segment::line(bottom_start, bottom_first)].into_iter().chain(bottom.iter().map(|e| e.segment));
+    let back = top.iter().rev().map(|e| e.segment.reversed()).chain([Segment::line(top_first, top_start)]);
+    let right = [
+        Segment::line(bottom_end - on, bottom_end),
+        Segment::line(bottom_end, top_end),
+        Segment::line(top_end, top_end - on),
+    ];
+    let all = there.chain(right).chain(back).chain([Segment::line(top_start, bottom_start)]);
+    Contour::new(all.filter(|s| s.length() > face::NOTHING_MM).collect())
 }

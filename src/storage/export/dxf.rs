@@ -22,16 +22,7 @@ const CENTRE_LINE_BEYOND_MM: f64 = 5.0;
 /// # Errors
 /// A diagnostic if the drawing cannot be written as text.
 pub fn dxf(contour: &PartContour, bore: Option<&PartContour>, unit: Unit) -> Result<String, Diagnostic> {
-    let mut drawing = Drawing::new();
-    // The oldest version whose header names the unit.
-    drawing.header.version = AcadVersion::R2000;
-    drawing.header.default_drawing_units = match unit {
-        Unit::Mm => Units::Millimeters,
-        Unit::Inch => Units::Inches,
-    };
-    for (name, color) in [(PROFILE, 7), (BORE, 7), (CENTRE_LINE, 1)] {
-        drawing.add_layer(Layer { name: name.to_owned(), color: Color::from_index(color), ..Layer::default() });
-    }
+    let mut drawing = empty(unit, &[(PROFILE, 7), (BORE, 7), (CENTRE_LINE, 1)]);
     let scale = 1.0 / unit.in_mm();
     for segment in &contour.contour.segments {
         add(&mut drawing, PROFILE, segment, scale);
@@ -54,14 +45,34 @@ pub fn dxf(contour: &PartContour, bore: Option<&PartContour>, unit: Unit) -> Res
         let to = Point::new(bounds.max.z + CENTRE_LINE_BEYOND_MM, 0.0);
         add(&mut drawing, CENTRE_LINE, &Segment::line(from, to), scale);
     }
+    text_of(&drawing)
+}
+
+/// A drawing without entities, with layers by name and colour.
+pub(super) fn empty(unit: Unit, layers: &[(&str, u8)]) -> Drawing {
+    let mut drawing = Drawing::new();
+    // The oldest version whose header names the unit.
+    drawing.header.version = AcadVersion::R2000;
+    drawing.header.default_drawing_units = match unit {
+        Unit::Mm => Units::Millimeters,
+        Unit::Inch => Units::Inches,
+    };
+    for &(name, color) in layers {
+        drawing.add_layer(Layer { name: name.to_owned(), color: Color::from_index(color), ..Layer::default() });
+    }
+    drawing
+}
+
+/// A drawing as text.
+pub(super) fn text_of(drawing: &Drawing) -> Result<String, Diagnostic> {
     let mut bytes = Vec::new();
     let written = drawing.save(&mut bytes).map_err(|e| e.to_string());
     written.and_then(|()| String::from_utf8(bytes).map_err(|e| e.to_string())).map_err(|e| {
-        Diagnostic::error("dxf-unwritable", Place::Document, format!("The profile cannot be written as DXF: {e}."))
+        Diagnostic::error("dxf-unwritable", Place::Document, format!("The drawing cannot be written as DXF: {e}."))
     })
 }
 
-fn add(drawing: &mut Drawing, layer: &str, segment: &Segment, scale: f64) {
+pub(super) fn add(drawing: &mut Drawing, layer: &str, segment: &Segment, scale: f64) {
     let point = |p: Point| ::dxf::Point::new(p.z * scale, p.r * scale, 0.0);
     let specific = match *segment {
         Segment::Line { start, end } => EntityType::Line(Line::new(point(start), point(end))),

@@ -1,0 +1,228 @@
+//! The parts list of a set of form-rolls: every roll with blank, mass, time and cost.
+
+use super::page::Page;
+use super::setup_sheet::writer::{Cell, LINE_MM, Writer, cell, figure};
+use crate::diagnostic::{Diagnostic, Place};
+use crate::geometry::Contour;
+use crate::regen::{Derived, RollDerived};
+use crate::rollform::Roll;
+use std::f64::consts::PI;
+
+/// Chords of a roll's contour for its volume, mm.
+const CHORD_MM: f64 = 0.01;
+
+/// A roll in the parts list. Lengths in mm, masses in kg.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RollLine {
+    /// Its name: `1470b-2T`.
+    pub name: String,
+    /// Number of its station.
+    pub station: usize,
+    /// Top, bottom, left or right roll.
+    pub kind: &'static str,
+    /// Material.
+    pub material: String,
+    /// Diameter of the blank.
+    pub blank_diameter_mm: f64,
+    /// Width of the roll.
+    pub width_mm: f64,
+    /// Largest diameter.
+    pub largest_diameter_mm: f64,
+    /// Diameter of the bore.
+    pub bore_mm: f64,
+    /// Mass of the blank with its bore; absent without a density.
+    pub blank_kg: Option<f64>,
+    /// Mass of the finished roll.
+    pub roll_kg: Option<f64>,
+    /// Machining time, s; absent without a proof of the roll as it is designed.
+    pub time_s: Option<f64>,
+    /// Cost of blank and machining; absent where rates or prices are not known.
+    pub cost: Option<f64>,
+    /// Currency of the cost.
+    pub currency: String,
+    /// True if its programs passed their proofs.
+    pub proved: bool,
+}
+
+/// The rolls of a set, station by station; none of another document.
+#[must_use]
+pub fn roll_lines(derived: &Derived) -> Vec<RollLine> {
+    let Some(set) = &derived.rolls else { return Vec::new() };
+    let density = derived.material.as_ref().and_then(|material| material.density_kg_per_dm3);
+    let stations = set.design.stations.iter();
+    let rolls = stations.flat_map(|station| station.rolls.iter().map(move |roll| (station.number, roll)));
+    rolls.map(|(number, roll)| line(number, roll, set.of_roll(roll.roll), density)).collect()
+}
+
+fn line(station: usize, roll: &Roll, made: Option<&RollDerived>, density: Option<f64>) -> RollLine {
+    let part = &roll.part;
+    let made = made.filter(|made| made.current);
+    let setups = made.map(|made| made.derived.setups.as_slice()).unwrap_or_default();
+    let bounds = roll.contour().bounds();
+    let mass = |volume_mm3: f64| density.map(|d| volume_mm3 * 1e-6 * d);
+    let ring = |radius: f64| PI * (radius * radius - (part.stock_bore_diameter / 2.0).powi(2)) * part.length;
+    let costs: Vec<_> = setups.iter().filter_map(|s| s.proof.cost.as_ref()).collect();
+    RollLine {
+        name: roll.name.clone(),
+        station,
+        kind: roll.roll.kind.name(),
+        material: part.material.clone(),
+        blank_diameter_mm: part.bar_diameter,
+        width_mm: part.length,
+        largest_diameter_mm: bounds.map_or(0.0, |b| 2.0 * b.max.r),
+        bore_mm: part.stock_bore_diameter,
+        blank_kg: mass(ring(part.bar_diameter / 2.0)),
+        roll_kg: mass(volume_mm3(&roll.contour()) - ring(0.0).abs()),
+        time_s: (!setups.is_empty()).then(|| setups.iter().map(|s| s.proof.times.total_s).sum()),
+        cost: (!costs.is_empty()).then(|| costs.iter().map(|c| c.part).sum()),
+        currency: costs.first().map(|c| c.currency.clone()).unwrap_or_default(),
+        proved: made.is_some_and(RollDerived::is_proved),
+    }
+}
+
+/// Volume that a contour from face to face sweeps around the axis, mm³: cones between its points.
+fn volume_mm3(contour: &Contour) -> f64 {
+    let points = contour.polyline(CHORD_MM);
+    let pairs = points.iter().zip(points.iter().skip(1));
+    let cones: f64 = pairs.map(|(a, b)| (a.r * a.r + a.r * b.r + b.r * b.r) / 3.0 * (b.z - a.z)).sum();
+    PI * cones
+}
+
+/// The parts list as a table for a spreadsheet: comma-separated, full stop as the decimal mark, a first line of names.
+#[must_use]
+pub fn parts_list_csv(lines: &[RollLine]) -> String {
+    let head = "roll,station,kind,material,blank diameter mm,width mm,largest diameter mm,bore mm,blank kg,roll kg,time min,\
+                cost,currency,proved\n";
+    let optional = |value: Option<f64>, decimals: usize| value.map_or_else(String::new, |v| format!("{v:.decimals$}"));
+    let rows = lines.iter().map(|l| {
+        format!(
+            "{},{},{},{},{:.3},{:.3},{:.3},{:.3},{},{},{},{},{},{}\n",
+            quoted(&l.name),
+            l.station,
+            l.kind,
+            quoted(&l.material),
+            l.blank_diameter_mm,
+            l.width_mm,
+            l.largest_diameter_mm,
+            l.bore_mm,
+            optional(l.blank_kg, 3),
+            optional(l.roll_kg, 3),
+            optional(l.time_s.map(|s| s / 60.0), 2),
+            optional(l.cost, 2),
+            quoted(&l.currency),
+            if l.proved { "yes" } else { "no" }
+        )
+    });
+    head.to_owned() + &rows.collect::<String>()
+}
+
+/// A text as a cell: in quotation marks where it holds a comma, a mark or a line end.
+fn quoted(text: &str) -> String {
+    if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.to_owned() }
+}
+
+/// Columns of the printed list: name, left border and width in mm.
+const COLUMNS: [(&str, f64, f64); 9] = [
+    ("roll", 20.0, 36.0),
+    ("kind", 57.0, 24.0),
+    ("blank ⌀", 82.0, 16.0),
+    ("width", 99.0, 17.0),
+    ("bore ⌀", 117.0, 14.0),
+    ("mass kg", 132.0, 14.0),
+    ("time min", 147.0, 14.0),
+    ("cost", 162.0, 14.0),
+    ("state", 179.0, 16.0),
+];
+
+/// The pages of the parts list.
+///
+/// # Errors
+/// A diagnostic if the document is no set of form-rolls with rolls.
+pub fn parts_list(derived: &Derived) -> Result<Vec<Page>, Diagnostic> {
+    let lines = roll_lines(derived);
+    if lines.is_empty() {
+        let message = "There are no rolls that a parts list could name.";
+        let fault = Diagnostic::error("nothing-to-list", Place::Document, message);
+        return Err(fault.with_hint("Open a set of form-rolls; see what is said about its stations."));
+    }
+    let mut writer = Writer::titled(format!("Parts list {}", derived.document.name));
+    writer.heading(&format!("Form-rolls {}", derived.document.name), 4.0 * LINE_MM);
+    writer.row(&COLUMNS.map(|(name, z, width)| Cell { ink: super::Ink::Grey, ..column(z, width, name) }));
+    writer.rule();
+    for line in &lines {
+        writer.row(&cells(line));
+    }
+    writer.rule();
+    writer.row(&totals(&lines));
+    Ok(writer.done())
+}
+
+/// Texts stand left in the first two columns and the last one, figures right.
+fn column<'a>(z: f64, width: f64, text: impl Into<std::borrow::Cow<'a, str>>) -> Cell<'a> {
+    /// First border of a column of figures and of what follows them, mm.
+    const FIGURES: (f64, f64) = (80.0, 178.0);
+    if z > FIGURES.0 && z < FIGURES.1 { figure(z, width, text) } else { cell(z, width, text) }
+}
+
+fn cells(line: &RollLine) -> [Cell<'static>; 9] {
+    let optional =
+        |value: Option<f64>, decimals: usize| value.map_or_else(|| "–".to_owned(), |v| format!("{v:.decimals$}"));
+    let texts = [
+        line.name.clone(),
+        line.kind.to_owned(),
+        format!("{:.1}", line.blank_diameter_mm),
+        format!("{:.3}", line.width_mm),
+        format!("{:.1}", line.bore_mm),
+        optional(line.roll_kg, 2),
+        optional(line.time_s.map(|s| s / 60.0), 1),
+        optional(line.cost, 2),
+        if line.proved { "proved" } else { "not proved" }.to_owned(),
+    ];
+    placed(texts)
+}
+
+fn totals(lines: &[RollLine]) -> [Cell<'static>; 9] {
+    let sum = |of: fn(&RollLine) -> Option<f64>| lines.iter().filter_map(of).sum::<f64>();
+    let proved = lines.iter().filter(|l| l.proved).count();
+    let none = String::new;
+    placed([
+        format!("{} rolls", lines.len()),
+        none(),
+        none(),
+        none(),
+        none(),
+        format!("{:.2}", sum(|l| l.roll_kg)),
+        format!("{:.1}", sum(|l| l.time_s) / 60.0),
+        format!("{:.2}", sum(|l| l.cost)),
+        format!("{proved} proved"),
+    ])
+}
+
+fn placed(texts: [String; 9]) -> [Cell<'static>; 9] {
+    let mut columns = COLUMNS.iter();
+    texts.map(|text| {
+        let (_, z, width) = columns.next().copied().unwrap_or_default();
+        column(z, width, text)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Point;
+
+    #[test]
+    fn a_plain_roll_has_the_volume_of_its_cylinder() {
+        let corners = [(0.0, 0.0), (0.0, 50.0), (20.0, 50.0), (20.0, 0.0)].map(|(z, r)| Point::new(z, r));
+        let pairs = corners.iter().zip(corners.iter().skip(1));
+        let contour = Contour::new(pairs.map(|(&a, &b)| crate::geometry::Segment::line(a, b)).collect());
+        assert!((volume_mm3(&contour) - PI * 2500.0 * 20.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn cells_with_commas_are_quoted() {
+        assert_eq!(quoted("a,b"), "\"a,b\"");
+        assert_eq!(quoted("say \"x\""), "\"say \"\"x\"\"\"");
+        assert_eq!(quoted("plain"), "plain");
+    }
+}
