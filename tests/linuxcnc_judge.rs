@@ -12,12 +12,13 @@ use std::fmt::Write as _;
 use std::process::Command;
 use std::sync::Arc;
 use turnwright::cancel::Cancel;
-use turnwright::document::{Content, Document, Generator};
+use turnwright::document::{Content, Document, Generator, Kind};
 use turnwright::geometry::{Point, Vector};
 use turnwright::machine::{Catalog, Machine};
 use turnwright::part::{Section, SectionKind};
 use turnwright::post::{Header, Options, post};
 use turnwright::regen::{Cache, regenerate};
+use turnwright::spinning;
 use turnwright::storage::{document_from_text, examples_of};
 use turnwright::turning::CutterPath;
 use turnwright::units::Unit;
@@ -243,6 +244,22 @@ fn examples_are_accepted_and_move_as_planned_and_as_instructed() {
 }
 
 /// The bearing housing with threads outside and in its bore.
+#[test]
+fn shells_are_accepted_and_move_as_the_roller_path() {
+    if !is_installed() {
+        return;
+    }
+    let machine = machine("linuxcnc");
+    for example in examples_of(Kind::Shell) {
+        let document = document_from_text(example.name, example.text).unwrap();
+        let Content::Shell(shell) = &document.content else { unreachable!("a shell") };
+        let shape = spinning::shape(shell).unwrap();
+        let path = spinning::path::path(shell, &shape);
+        let cutter = spinning::program::cutter_path(shell, &shape, &path, &machine);
+        judge_linuxcnc(&cutter, TOLERANCE, example.name);
+    }
+}
+
 fn threaded_housing(starts: u32) -> Document {
     let mut document = document_from_text("housing", include_str!("cases/parts/bearing-housing.turn")).unwrap();
     let Content::TurnedPart(part) = &mut document.content else { unreachable!("a turned part") };

@@ -40,6 +40,9 @@ pub struct ShellDerived {
 
 type Tools = BTreeMap<u32, ToolOutline>;
 
+/// What the rules look at; a design of impossible figures has no shape.
+type ChecksInput = (Shell, Unit, Arc<Option<Arc<ShellShape>>>);
+
 /// A machine with the outlines of its tools.
 type Known = (Arc<Machine>, Arc<Tools>);
 
@@ -51,7 +54,7 @@ type PostInput = (String, Arc<CutterPath>, post::Header, Unit, Arc<Machine>);
 pub(super) struct ShellCache {
     machine: Stage<(Machine, Vec<machine::Tool>), Known>,
     shape: Stage<Shell, Option<Arc<ShellShape>>>,
-    checks: Stage<(Shell, Unit), Vec<Diagnostic>>,
+    checks: Stage<ChecksInput, Vec<Diagnostic>>,
     path: Stage<(Shell, Arc<ShellShape>), RollerPath>,
     set_points: Stage<(Arc<RollerPath>, u32), Vec<SetPoint>>,
     post: Stage<PostInput, PostOutput>,
@@ -69,9 +72,8 @@ pub(super) fn regenerate(
     cancel.check()?;
     let shell_mm = shell.scaled(document.unit.in_mm());
     let shape = cache.shape.get(geometry_only(&shell_mm), |shell| spinning::shape(shell).map(Arc::new));
-    let checks = cache.checks.get((shell_mm.clone(), document.unit), |(shell, unit)| {
-        let shape = spinning::shape(shell);
-        spinning::check(shell, shape.as_ref(), *unit)
+    let checks = cache.checks.get((shell_mm.clone(), document.unit, Arc::clone(&shape)), |(shell, unit, shape)| {
+        spinning::check(shell, shape.as_ref().as_deref(), *unit)
     });
     let mut diagnostics = (*checks).clone();
     let Some(machine) = catalog.machine(&shell.machine) else {
