@@ -25,6 +25,9 @@ pub(crate) struct Convert {
     /// Published input of the flower (.json) for a set of form-rolls.
     #[arg(long, value_name = "FILE")]
     flower: Option<PathBuf>,
+    /// Published input of the roll design (.json) for a set of form-rolls.
+    #[arg(long, value_name = "FILE")]
+    design: Option<PathBuf>,
     /// The .dxf drawing is the cross-section of a set of form-rolls: its closed outline, or its mid-line with --thickness.
     #[arg(long)]
     section: bool,
@@ -48,6 +51,10 @@ pub(super) fn run(args: &Convert) -> Outcome {
     };
     let document = match &args.flower {
         Some(file) => with_more(&document, file, storage::import::with_flower)?,
+        None => document,
+    };
+    let document = match &args.design {
+        Some(file) => with_more(&document, file, storage::import::with_design)?,
         None => document,
     };
     let document = match &args.instructions {

@@ -182,7 +182,6 @@ fn cells(line: &RollLine) -> [Cell<'static>; 9] {
 }
 
 fn totals(lines: &[RollLine]) -> [Cell<'static>; 9] {
-    let sum = |of: fn(&RollLine) -> Option<f64>| lines.iter().filter_map(of).sum::<f64>();
     let proved = lines.iter().filter(|l| l.proved).count();
     let none = String::new;
     placed([
@@ -191,11 +190,22 @@ fn totals(lines: &[RollLine]) -> [Cell<'static>; 9] {
         none(),
         none(),
         none(),
-        format!("{:.2}", sum(|l| l.roll_kg)),
-        format!("{:.1}", sum(|l| l.time_s) / 60.0),
-        format!("{:.2}", sum(|l| l.cost)),
+        total(lines.iter().map(|l| l.roll_kg), 1.0, 2),
+        total(lines.iter().map(|l| l.time_s), 60.0, 1),
+        total(lines.iter().map(|l| l.cost), 1.0, 2),
         format!("{proved} proved"),
     ])
+}
+
+/// A sum in units of `per`; a dash where nothing is known, a plus sign behind it where not all is.
+fn total(values: impl Iterator<Item = Option<f64>>, per: f64, decimals: usize) -> String {
+    let values: Vec<Option<f64>> = values.collect();
+    let known: Vec<f64> = values.iter().copied().flatten().collect();
+    if known.is_empty() {
+        return "–".to_owned();
+    }
+    let more = if known.len() < values.len() { "+" } else { "" };
+    format!("{:.decimals$}{more}", known.iter().sum::<f64>() / per)
 }
 
 fn placed(texts: [String; 9]) -> [Cell<'static>; 9] {
@@ -217,6 +227,13 @@ mod tests {
         let pairs = corners.iter().zip(corners.iter().skip(1));
         let contour = Contour::new(pairs.map(|(&a, &b)| crate::geometry::Segment::line(a, b)).collect());
         assert!((volume_mm3(&contour) - PI * 2500.0 * 20.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn what_is_not_known_is_not_added_up() {
+        assert_eq!(total([None, None].into_iter(), 1.0, 2), "–");
+        assert_eq!(total([Some(60.0), Some(30.0)].into_iter(), 60.0, 1), "1.5");
+        assert_eq!(total([Some(1.0), None].into_iter(), 1.0, 2), "1.00+");
     }
 
     #[test]

@@ -2,7 +2,8 @@
 
 use super::roll::is_roll;
 use super::{
-    CadTexts, Imported, cad, dxf, instructions, name_of, roll, roll_flower, roll_section, roll_section_dxf, tsv,
+    CadTexts, Imported, cad, dxf, instructions, name_of, roll, roll_design, roll_flower, roll_section,
+    roll_section_dxf, tsv,
 };
 use crate::diagnostic::Diagnostic;
 use crate::document::Document;
@@ -76,6 +77,15 @@ pub fn section_drawing(path: &Path, thickness: Option<f64>) -> Result<(Document,
 pub fn with_flower(document: Document, path: &Path) -> Result<(Document, Vec<Diagnostic>), Vec<Diagnostic>> {
     let text = textfile::read(path, MOST_BYTES).map_err(|d| vec![d])?;
     roll_flower(&path.display().to_string(), &text, document)
+}
+
+/// Gives the stations of a set of form-rolls a published roll design (`.json`).
+///
+/// # Errors
+/// Diagnostics with file, line, field, value and limit if the file cannot be used.
+pub fn with_design(document: Document, path: &Path) -> Result<(Document, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let text = textfile::read(path, MOST_BYTES).map_err(|d| vec![d])?;
+    roll_design(&path.display().to_string(), &text, document)
 }
 
 /// Gives a document the cutting instructions of a CU file (`.json`) for the published form-roll cycles.

@@ -10,12 +10,12 @@ mod roll;
 mod roll_set;
 mod table;
 
-pub use any::{any, section_drawing, with_flower, with_instructions};
+pub use any::{any, section_drawing, with_design, with_flower, with_instructions};
 pub use cad::{CadTexts, cad};
 pub use dxf::dxf;
 pub use instructions::instructions;
 pub use roll::roll;
-pub use roll_set::{roll_flower, roll_section, roll_section_dxf};
+pub use roll_set::{roll_design, roll_flower, roll_section, roll_section_dxf};
 pub use table::tsv;
 
 use crate::diagnostic::Diagnostic;

@@ -88,7 +88,10 @@ fn draw(painter: &Painter, screen: &Screen, scene: &RollScene<'_>) {
     let ends = [pos2(screen.rect.left(), axis), pos2(screen.rect.right(), axis)];
     dashed(painter, &ends, CENTRE_LINE, Stroke::new(1.0, palette.construction));
     if let Some(preview) = scene.preview {
-        let new = preview.iter().filter(|e| !scene.elements.contains(e));
+        let is_new = |name: &ElementName| {
+            matches!(name, ElementName::Edit { .. }) && !scene.elements.iter().any(|e| e.has(*name))
+        };
+        let new = preview.iter().filter(|e| e.names.iter().any(is_new));
         for element in new {
             let points = on_screen(screen, std::iter::once(element.segment));
             dashed(painter, &points, DASHED, Stroke::new(LIT, palette.accent));

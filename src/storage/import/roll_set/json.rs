@@ -63,6 +63,15 @@ impl<'a> Reader<'a> {
         Some(Fields { object: object?, path: String::new() })
     }
 
+    /// The object in a field; reported if there is none.
+    pub(super) fn object<'v>(&mut self, fields: &Fields<'v>, key: &str) -> Option<Fields<'v>> {
+        let object = fields.object.get(key).and_then(Value::as_object);
+        if object.is_none() {
+            self.refuse(&fields.path, format!("There is no object `{key}`."));
+        }
+        Some(Fields { object: object?, path: fields.path(key) })
+    }
+
     /// What was made, or why not.
     pub(super) fn outcome<T>(self, made: Option<T>) -> Result<(T, Vec<Diagnostic>), Vec<Diagnostic>> {
         match made {

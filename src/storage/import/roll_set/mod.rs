@@ -3,6 +3,7 @@
 //! The fields have the published names (Wong 1983, appendix 5 A to C), lengths with `_mm` or `_in` after them. What else is
 //! in the files are remarks. A section with two lists of elements has the second one in `elements_of_other_side`.
 
+mod design;
 mod dxf;
 mod flower;
 mod json;
@@ -40,6 +41,20 @@ pub fn roll_flower(file: &str, text: &str, document: Document) -> Result<(Docume
     let changed = changed(document, |set| {
         let fields = reader.root(&value)?;
         flower::apply(&mut reader, &fields, set)
+    })?;
+    checked(file, reader.outcome(changed)?)
+}
+
+/// Gives the stations of a set what their rolls are designed by (group C); `file` is its name for messages.
+///
+/// # Errors
+/// As [`roll_flower`], and if the set has no stations yet.
+pub fn roll_design(file: &str, text: &str, document: Document) -> Result<(Document, Vec<Diagnostic>), Vec<Diagnostic>> {
+    let mut reader = Reader::new(file, text);
+    let value = reader.parse()?;
+    let changed = changed(document, |set| {
+        let fields = reader.root(&value)?;
+        design::apply(&mut reader, &fields, set)
     })?;
     checked(file, reader.outcome(changed)?)
 }
