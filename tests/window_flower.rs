@@ -17,14 +17,12 @@ use std::path::Path;
 use turnwright::app::Action;
 use turnwright::document::{Document, ElementKind, RollSet};
 use turnwright::rollform::bends::{Stage, angles_deg};
-use turnwright::storage::{import, save_document};
+use turnwright::storage::{open_document, save_document};
 
-/// The published section 1470b with its flower, in a window.
+/// The published section 1470b with its flower and its rolls, in a window.
 fn published() -> Window {
-    let case = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/1470b").join(name);
-    let (section, _) = import::any(&case("1470b-section.json"), "orac").unwrap();
-    let (document, _) = import::with_flower(section, &case("1470b-flower.json")).unwrap();
-    open(&document)
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/examples/1470b.turn");
+    open(&open_document(&example).unwrap())
 }
 
 fn open(document: &Document) -> Window {

@@ -16,8 +16,8 @@ use crate::rollform::strip::{Side, Strip};
 
 /// Largest scale of a section.
 const MOST: f64 = 50.0;
-/// Distance of dimension lines from the section, mm.
-const DIMENSION_MM: f64 = 11.0;
+/// Distance of dimension lines from the section, mm: beyond the numbers of the elements.
+const DIMENSION_MM: f64 = 15.0;
 /// Distance of element numbers from the face, mm.
 const NUMBER_MM: f64 = 6.0;
 /// Numbers are not closer to one another, mm.
