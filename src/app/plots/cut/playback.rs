@@ -52,7 +52,7 @@ pub(super) fn previous_block_s(moves: &[Move], time_s: f64) -> f64 {
 /// Minutes and seconds: `7:26`.
 #[must_use]
 pub fn clock(seconds: f64) -> String {
-    let whole = if seconds.is_finite() { seconds.max(0.0).round() } else { 0.0 };
+    let whole = if seconds.is_finite() { seconds.max(0.0).round().abs() } else { 0.0 };
     format!("{:.0}:{:02.0}", (whole / 60.0).floor(), whole % 60.0)
 }
 
