@@ -1,6 +1,6 @@
 //! The desk of a set of form-rolls: elements, bend angles, stations and rolls, as a person works with them.
 //!
-//! `WINDOW_PICTURES=FOLDER cargo test --test window_rolls` writes pictures to a folder.
+//! `UPDATE_SCREENSHOTS=1 cargo test --test window_rolls` draws the picture in `screenshots/` anew.
 
 #![cfg(feature = "gui")]
 #![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
@@ -23,18 +23,10 @@ fn open() -> Window {
     window
 }
 
-fn picture(window: &Window, name: &str) {
-    let picture = window.picture();
-    assert!(picture.colors() > 8, "{name}: an empty picture");
-    if let Some(folder) = std::env::var_os("WINDOW_PICTURES") {
-        picture.save(&Path::new(&folder).join(format!("{name}.png")));
-    }
-}
-
 #[test]
 fn the_published_section_is_on_the_desk_with_all_its_rolls() {
     let mut window = open();
     let derived = window.session().derived().unwrap().clone();
-    picture(&window, "rolls-desk");
+    window.screenshot("roll-set");
     assert_eq!(derived.rolls.as_ref().unwrap().rolls.len(), 8);
 }

@@ -256,6 +256,8 @@ fn what(ui: &mut Ui, session: &Session, colors: &Colors) {
     let unit = session.document().unit;
     let (machine, size, material) = match &session.document().content {
         Content::Shell(shell) => (&shell.machine, shell.blank.thickness, &shell.material),
+        // No roll is shown yet: the strip says more than a blank of no diameter.
+        Content::RollSet(set) if part.sections.is_empty() => (&set.machine, set.section.thickness, &set.strip.name),
         _ => (&part.machine, part.bar_diameter, &part.material),
     };
     let size = super::plots::fixed(size, unit.decimals());

@@ -83,7 +83,10 @@ impl Window {
 
     /// Opens an example and waits until it is regenerated.
     pub fn open_example(&mut self, name: &str) {
-        self.click(&format!("Open {name}"));
+        let card = format!("Open {name}");
+        self.harness.get_by_label(&card).scroll_to_me();
+        self.harness.run_steps(10);
+        self.click(&card);
         self.until_current();
         self.harness.remove_cursor();
         self.harness.run_steps(3);
