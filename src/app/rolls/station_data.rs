@@ -6,8 +6,8 @@ use crate::app::desk::Requests;
 use crate::app::theme::{self, Colors};
 use crate::app::widgets::{link, title_row};
 use crate::document::{
-    BendAngle, DriveSurface, ElementKind, ExtensionContour, ExtensionKind, Face, Pinch, RollSet, SideEnd, SideRoll,
-    Station,
+    BendAngle, DriveSurface, ElementKind, ExtensionContour, ExtensionKind, Face, Origin, Pinch, RollSet, SideEnd,
+    SideRoll, Station,
 };
 use crate::session::Session;
 use crate::units::Unit;
@@ -243,10 +243,16 @@ impl Fields<'_> {
         });
     }
 
+    /// What an empty choice of one side is called: of a symmetrical section the left side is as the right one.
+    fn unless_as_right(&self, side: Side, word: &str) -> String {
+        let symmetrical = self.set.section.origin == Origin::Symmetrical;
+        if symmetrical && side == Side::Left { "as right".to_owned() } else { word.to_owned() }
+    }
+
     fn extension(&self, ui: &mut Ui, session: &mut Session, side: Side, label: &str) {
         let present = side.extension(self.station).first().map(|e| e.kind);
         let all = [
-            (None, "plain".to_owned()),
+            (None, self.unless_as_right(side, "plain")),
             (Some(ExtensionKind::SpigotA), "spigot A".to_owned()),
             (Some(ExtensionKind::SpigotB), "spigot B".to_owned()),
             (Some(ExtensionKind::SideRoll), "side roll".to_owned()),
@@ -274,7 +280,7 @@ impl Fields<'_> {
     fn side_roll(&self, ui: &mut Ui, session: &mut Session, side: Side, label: &str) {
         let present = side.roll(self.station);
         let fresh = self.usual_side_roll();
-        let all = [(false, "none".to_owned()), (true, "side roll".to_owned())];
+        let all = [(false, self.unless_as_right(side, "none")), (true, "side roll".to_owned())];
         self.choice(ui, session, label, &present.is_some(), &all, |station, wanted| {
             *side.roll_mut(station) = if wanted { fresh } else { None };
         });
