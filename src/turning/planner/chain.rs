@@ -205,8 +205,10 @@ impl Chain {
     }
 
     /// The function without pits narrower than [`PIT_MM`], which rounding leaves where pieces that should meet miss one another:
-    /// they take the value of the higher side.
+    /// they take the value of the higher side. A place of no value between two pieces is such a pit, too: a floor that is put in
+    /// later would show through it.
     pub(super) fn without_pits(mut self) -> Self {
+        self.close_gaps();
         let mut k = 0;
         while k < self.pieces.len() {
             let (Some(pit), before, after) = (
@@ -230,6 +232,22 @@ impl Chain {
             }
         }
         self
+    }
+
+    /// Lets the higher neighbour have every gap narrower than [`PIT_MM`].
+    fn close_gaps(&mut self) {
+        for k in 1..self.pieces.len() {
+            let [left, right] = &mut self.pieces[k - 1..=k] else { return };
+            let gap = right.z0 - left.z1;
+            if gap <= 0.0 || gap > PIT_MM {
+                continue;
+            }
+            if left.at(left.z1) >= right.at(right.z0) {
+                left.z1 = right.z0;
+            } else {
+                right.z0 = left.z1;
+            }
+        }
     }
 
     /// The same of functions that nobody else needs.
@@ -375,6 +393,16 @@ mod tests {
         assert_eq!((filled.pieces[0].z1, filled.at(1.0 + 1e-9)), (1.0 + 2e-9, Some(5.0)));
         let step = Chain { pieces: pieces[..2].iter().rev().map(Piece::mirrored).collect() }.without_pits();
         assert_eq!(step.pieces, [Piece { z0: -1.0 - 2e-9, z1: 0.0, ..Piece::level(-1.0, 0.0, 5.0) }]);
+    }
+
+    #[test]
+    fn a_gap_that_rounding_leaves_is_closed_and_a_real_one_stays() {
+        let pieces =
+            vec![Piece::level(0.0, 1.0, 5.0), Piece::level(1.0 + 1.5e-9, 2.0, 4.0), Piece::level(2.5, 3.0, 1.0)];
+        let closed = Chain { pieces }.without_pits();
+        assert_eq!((closed.pieces[0].z1, closed.at(1.0 + 1e-9), closed.at(2.2)), (1.0 + 1.5e-9, Some(5.0), None));
+        let floor = Chain::level(0.0, 3.0, -1.0);
+        assert_eq!(closed.max(&floor).runs_below(3.0).len(), 1, "no pit down to the floor");
     }
 
     #[test]
