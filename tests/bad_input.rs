@@ -5,7 +5,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use turnwright::diagnostic::{Diagnostic, Place};
-use turnwright::document::{Content, Document};
+use turnwright::document::{Content, Document, Kind};
 use turnwright::machine::Catalog;
 use turnwright::storage::{document_from_text, document_to_text, examples, examples_of, export, import, recovery};
 
@@ -20,7 +20,8 @@ fn files() -> Files {
     let mut paths = Vec::new();
     for example in examples() {
         let document = document_from_text(example.name, example.text).unwrap();
-        for extension in ["turn", "CAD", "dxf", "tsv"] {
+        let kinds: &[&str] = if example.kind == Kind::TurnedPart { &["turn", "CAD", "dxf", "tsv"] } else { &["turn"] };
+        for extension in kinds {
             let path = folder.path().join(example.name).with_extension(extension);
             export::any(&document, &Catalog::shipped(), &path).unwrap();
             paths.push(path);
@@ -78,7 +79,7 @@ fn every_beginning_of_every_document_is_refused() {
 
 #[test]
 fn every_beginning_of_a_cad_siz_or_end_file_is_refused_or_read() {
-    for example in examples_of(turnwright::document::Kind::TurnedPart) {
+    for example in examples_of(Kind::TurnedPart) {
         let document = document_from_text(example.name, example.text).unwrap();
         let Content::TurnedPart(part) = &document.content else { unreachable!("a turned part") };
         let (texts, _) = export::cad(&document, part);
@@ -203,8 +204,9 @@ fn numbers_that_are_none_are_refused_with_value_and_place() {
 /// The text of a file with one diameter or coordinate replaced by `bad`.
 fn with_bad_diameter(path: &Path, text: &str, bad: &str) -> String {
     if is_kind(path, "turn") {
-        let at = text.find("\"d1\": ").unwrap() + 6;
-        let end = at + text[at..].find(',').unwrap();
+        // A diameter of a part, the thickness of a strip or of a blank.
+        let at = ["\"d1\": ", "\"thickness\": "].iter().find_map(|key| Some(text.find(key)? + key.len())).unwrap();
+        let end = at + text[at..].find([',', '}', '\n']).unwrap();
         return format!("{}{bad}{}", &text[..at], &text[end..]);
     }
     if is_kind(path, "dxf") {

@@ -76,14 +76,13 @@ fn report_shell(made: &ShellDerived) {
     let verdict = if made.proof.passed { "proved" } else { "NOT PROVED" };
     let thinnest = made.shape.thinnest().map_or(0.0, |s| s.wall);
     say(&format!(
-        "{}: {verdict}, {}, {:.1} min, wall down to {thinnest:.3} mm, blank ⌀ {:.2} mm, gap {:+.3} to {:+.3} mm of the wall, \
+        "{}: {verdict}, {}, {:.1} min, wall down to {thinnest:.3} mm, blank ⌀ {:.2} mm, gap within {:.3} mm of the wall, \
          {} set points",
         made.name,
         programs.join(", "),
         made.proof.times.total_s / 60.0,
         2.0 * made.shape.blank_radius,
-        made.proof.tightest_mm,
-        made.proof.widest_mm,
+        made.proof.tightest_mm.abs().max(made.proof.widest_mm.abs()),
         made.set_points.len(),
     ));
 }

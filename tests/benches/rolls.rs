@@ -17,7 +17,7 @@ use turnwright::regen::{Cache, Steps, regenerate, regenerate_in_steps};
 use turnwright::storage;
 
 /// Sets that are measured.
-const SETS: [&str; 2] = ["u-channel", "hat"];
+const SETS: [&str; 2] = ["U-CHANNEL", "HAT"];
 
 /// The set with the last bend that its middle station names at two angles which a drag passes, and that station's top roll.
 fn dragged(name: &str) -> ([Arc<Document>; 2], RollRef) {
