@@ -4,7 +4,7 @@
 //! from the input of Figs. 5.5 to 5.8), as far as their figures settle them. Everything below is seen from the drive surface
 //! outwards, on the right; the left is built from the mirror image.
 //!
-//! **Opening** ([`opening`], [`relief`]). On the drive surface the opening is the drive opening: the bottom roll has the bottom
+//! **Opening** (`opening`, `relief`). On the drive surface the opening is the drive opening: the bottom roll has the bottom
 //! face of the strip, what the opening exceeds the thickness by is on the top roll. Beyond, the opening is the clearance, and
 //! one face is relieved. Bent arcs of one sign that follow one another form a group; the relief changes only in the last
 //! arc of a group, to the outer face of that arc, and only where a group of the other sign follows, so that the inside
@@ -15,29 +15,29 @@
 //! long as no bend comes in which it could change; without a drive surface in the document, the longest level line
 //! drives; all between the outermost drive elements drives.
 //!
-//! **Transition** ([`transition`]). In the arc where the relief changes, the outer contour becomes the fillet that touches the
+//! **Transition** (`transition`). In the arc where the relief changes, the outer contour becomes the fillet that touches the
 //! prolonged line before it and ends on the normal of the element's end, relieved. On the inner face, where a relief ends, the
 //! published rolls add it once more: the arc is the outer one less the clearance, moved by the relief along the normal
 //! of its start; its neighbours run to it as chords. That is kept, for it is in the metal, up to a right angle; beyond, it would cut into the strip. An arc that is too flat for the fillet
 //! becomes a chord; it nowhere cuts into the strip.
 //!
-//! **End of the strip** ([`ends`]). The last line is prolonged by the tolerance. An end face square to it closes the opening; it
+//! **End of the strip** (`ends`). The last line is prolonged by the tolerance. An end face square to it closes the opening; it
 //! belongs to the roll that can reach it: the bottom roll if the strip ends level or downwards, the top roll if upwards.
 //! Then both rolls share the extension contour. Spigot A: along the last line, outwards along the axis, back towards the pass
 //! line, outwards along the axis. Spigot B (its diagram is lost): the same with the third part away from the pass
 //! line. Then the side faces.
 //!
-//! **Inaccessible parts** ([`reach`]). A roll is what can come from its side: a top roll has the upper envelope of the whole
+//! **Inaccessible parts** (`reach`). A roll is what can come from its side: a top roll has the upper envelope of the whole
 //! outline of the strip, a bottom roll the lower, a side roll the outer one. Where the envelope jumps, the contour is a straight
 //! line square to the axis: upright in top and bottom rolls, level in side rolls. So whatever lies under an overhang
 //! becomes a line at its edge.
 //!
-//! **Side rolls** ([`side`]). A side roll has the given run of elements on the given face; the top or bottom roll that has this
+//! **Side rolls** (`side`). A side roll has the given run of elements on the given face; the top or bottom roll that has this
 //! face otherwise ends there, its side face set back by the tolerance; the other one ends with the strip. The contour
 //! goes on below and above with its extension contours (their diagram is lost): along the element, along the axis,
 //! towards the axis, along the axis.
 //!
-//! **Elements** ([`merge`]). Pieces below 0.005 mm are absorbed. Concentric arcs become one, level lines too; inclined collinear
+//! **Elements** (`merge`). Pieces below 0.005 mm are absorbed. Concentric arcs become one, level lines too; inclined collinear
 //! lines are joined in pairs in the direction of travel, clockwise round the pass (top roll from left to right, bottom
 //! roll from right to left): that gives the published lists, which are not the same left and right.
 
