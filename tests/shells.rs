@@ -4,9 +4,11 @@
 
 use std::sync::Arc;
 use turnwright::cancel::Cancel;
-use turnwright::document::{Content, Document, FormerShape, Kind};
+use turnwright::diagnostic::has_errors;
+use turnwright::document::{Content, Document, FormerShape, Forming, Kind};
 use turnwright::machine::Catalog;
 use turnwright::output;
+use turnwright::part::{Section, SectionKind};
 use turnwright::regen::{self, Cache, Derived};
 use turnwright::storage::{document_from_text, examples_of};
 
@@ -88,4 +90,42 @@ fn an_edit_of_the_rig_leaves_program_and_proof_alone() {
         regen::regenerate(&Arc::new(document), &catalog, &mut cache, &Cancel::default()).unwrap().shell.unwrap();
     assert!(Arc::ptr_eq(&first.post, &second.post) && Arc::ptr_eq(&first.shape, &second.shape));
     assert!(Arc::ptr_eq(&first.proof, &second.proof));
+}
+
+/// Free contours: a corner, a bulge and a hollow.
+fn free_contours() -> Vec<Vec<Section>> {
+    let row = |id, z1, d1, z2, d2, kind| Section { id, z1, d1, z2, d2, kind };
+    vec![
+        vec![Section::line(1, 0.0, 120.0, 25.0, 90.0), Section::line(2, 25.0, 90.0, 40.0, 50.0)],
+        vec![row(1, 0.0, 120.0, 30.0, 60.0, SectionKind::Convex { radius: 60.0 })],
+        vec![row(1, 0.0, 120.0, 40.0, 60.0, SectionKind::Concave { radius: 90.0 })],
+    ]
+}
+
+#[test]
+fn the_gap_is_the_wall_along_every_contour() {
+    let cones = (19..=79).step_by(5).map(|deg| FormerShape::Cone {
+        half_angle_deg: f64::from(deg),
+        tip_diameter: 50.0,
+        length: 30.0 / f64::from(deg).to_radians().tan().max(0.7),
+    });
+    let ellipses = [(50.0, 100.0), (35.0, 120.0), (60.0, 110.0)].map(|(semi_axis, diameter)| FormerShape::Ellipse {
+        semi_axis,
+        diameter,
+        tip_diameter: 40.0,
+        length: 0.5 * semi_axis,
+    });
+    let free = free_contours().into_iter().map(|sections| FormerShape::Sections { sections });
+    for shape in cones.chain(ellipses).chain(free) {
+        for (forming, passes) in [(Forming::Shear, 1), (Forming::Spinning, 2)] {
+            let mut document = example("CONE");
+            let Content::Shell(shell) = &mut document.content else { unreachable!("a shell") };
+            (shell.former.shape, shell.forming, shell.passes) = (shape.clone(), forming, passes);
+            (shell.blank.follower_diameter, shell.roller.swivel_deg, shell.roller.nose_radius) = (10.0, 15.0, 6.0);
+            let made = derived(document);
+            assert!(!has_errors(&made.diagnostics), "{shape:?} {forming:?}: {:?}", made.diagnostics);
+            let proof = &made.shell.as_ref().unwrap().proof;
+            assert!(proof.tightest_mm > -0.003 && proof.widest_mm < 0.003, "{shape:?} {forming:?}: {proof:?}");
+        }
+    }
 }

@@ -126,7 +126,7 @@ fn join_hollow(out: &mut Vec<Segment>, mut next: Vec<Segment>) {
         out.append(&mut next);
         return;
     }
-    let Some((i, j, at)) = crossing(out, &next) else {
+    let Some((i, j, at)) = crossing(out, &next).or_else(|| prolonged_crossing(out, &next)) else {
         out.push(Segment::line(end, start));
         out.append(&mut next);
         return;
@@ -150,6 +150,15 @@ fn crossing(first: &[Segment], second: &[Segment]) -> Option<(usize, usize, Poin
             meet.first().map(|at| (i, j, *at))
         })
     })
+}
+
+/// Where the neighbours at a hollow corner meet if one of them goes on: the wall changes there, so that one is further out
+/// than the other and its cut lies before it begins. Both must keep their direction.
+fn prolonged_crossing(first: &[Segment], second: &[Segment]) -> Option<(usize, usize, Point)> {
+    let (a, b) = (first.last()?, second.first()?);
+    let at = a.prolonged_meeting(b, a.end())?;
+    let keeps = (at - a.start()).dot(&a.direction_at(0.0)) > 0.0 && (b.end() - at).dot(&b.direction_at(1.0)) > 0.0;
+    keeps.then_some((first.len() - 1, 0, at))
 }
 
 const fn with_ends(segment: &Segment, start: Point, end: Point) -> Segment {
@@ -179,6 +188,23 @@ mod tests {
         let moved = offset(&cone, shear(9.0), TOLERANCE);
         assert_eq!(moved.segments.len(), 1);
         assert!((cone.distance_to(moved.segments[0].point_at(0.5)) - 10.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn in_a_hollow_corner_every_wall_keeps_its_distance() {
+        let lines = [Segment::line(p(45.0, 30.0), p(20.0, 45.0)), Segment::line(p(20.0, 45.0), p(0.0, 60.0))];
+        let moved = offset(&Contour::new(lines.to_vec()), shear(6.0), TOLERANCE);
+        assert_eq!((moved.segments.len(), moved.largest_gap()), (2, 0.0));
+        for line in lines {
+            let wall = 2.0 * half_angle(line.direction_at(0.0)).sin();
+            for k in 0..=100 {
+                let share = f64::from(k) / 100.0;
+                for segment in &moved.segments {
+                    let distance = line.distance_to(segment.point_at(share));
+                    assert!(distance > 6.0 + wall - 1e-9, "{distance} of {}", 6.0 + wall);
+                }
+            }
+        }
     }
 
     /// A quarter of a ball, its pole cut off, and the cylinder angle not reached.
