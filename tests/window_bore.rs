@@ -9,28 +9,12 @@ mod common;
 use common::Window;
 use egui::{Event, Key};
 use egui_kittest::kittest::Queryable;
-use std::path::Path;
 use turnwright::app::Action;
 use turnwright::document::{Ends, Holding};
 use turnwright::part::{Section, SectionKind};
 
 fn open() -> Window {
-    let mut window = Window::open();
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/parts/bearing-housing.turn");
-    let ctx = window.harness.ctx.clone();
-    window.desk().act(&ctx, Action::Open(path));
-    window.until("opened", |desk| desk.session().is_some());
-    window.until_current();
-    window.harness.run_steps(3);
-    window
-}
-
-fn picture(window: &Window, name: &str) {
-    let picture = window.picture();
-    assert!(picture.colors() > 8, "{name}: an empty picture");
-    if let Some(folder) = std::env::var_os("WINDOW_PICTURES") {
-        picture.save(&Path::new(&folder).join(format!("{name}.png")));
-    }
+    Window::with_file("tests/cases/parts/bearing-housing.turn")
 }
 
 #[test]
@@ -38,7 +22,7 @@ fn the_bore_is_a_second_table_with_the_same_habits() {
     let mut window = open();
     window.click("bore");
     assert_eq!(window.session().selection.section, Some(5));
-    picture(&window, "bore-table");
+    window.keep_picture("bore-table");
     window.click("⌀ end of row 2: 42.000");
     window.harness.event(Event::Text("1.5in".to_owned()));
     window.harness.run_steps(2);
@@ -71,7 +55,7 @@ fn a_node_of_the_bore_is_dragged_and_leaves_the_outside_alone() {
         window.harness.step();
     }
     window.until_current();
-    picture(&window, "bore-drag");
+    window.keep_picture("bore-drag");
     window.harness.drop_at(node + egui::vec2(-9.0, 0.0));
     window.harness.run_steps(2);
     let part = window.session().part().clone();
@@ -93,14 +77,14 @@ fn a_message_about_the_bore_leads_to_its_table() {
     window.desk().act(&ctx, Action::GoTo(problem.at));
     window.harness.run_steps(3);
     assert!(window.harness.query_by_label("⌀ start of row 2: 60.000").is_some());
-    picture(&window, "bore-without-wall");
+    window.keep_picture("bore-without-wall");
 }
 
 #[test]
 fn blind_holes_tubes_both_ends_and_centres_are_drawn() {
     let mut window = open();
     window.click("3D");
-    picture(&window, "bore-in-the-round");
+    window.keep_picture("bore-in-the-round");
     window.session().edit_part("both ends", None, |part| {
         part.ends = Ends::Two { split: Some(20.0) };
         part.part_off = false;
@@ -108,23 +92,23 @@ fn blind_holes_tubes_both_ends_and_centres_are_drawn() {
             Section { kind: SectionKind::Convex { radius: 20.0 }, ..Section::line(5, 0.0, 44.0, 22.0, 28.0) };
     });
     window.until_current();
-    picture(&window, "bore-both-ends-first");
+    window.keep_picture("bore-both-ends-first");
     window.click("second end");
     window.harness.run_steps(3);
-    picture(&window, "bore-both-ends-second");
+    window.keep_picture("bore-both-ends-second");
     window.session().edit_part("blind", None, |part| {
         part.ends = Ends::One;
         part.bore.remove(0);
     });
     window.until_current();
-    picture(&window, "bore-blind");
+    window.keep_picture("bore-blind");
     window.session().edit_part("between centres", None, |part| {
         part.holding = Holding::BetweenCentres;
         part.bore.clear();
         part.stock_bore_diameter = 28.0;
     });
     window.until_current();
-    picture(&window, "between-centres");
+    window.keep_picture("between-centres");
     assert!(window.session().setup().is_some_and(|s| s.setup.tailstock.is_some()));
 }
 

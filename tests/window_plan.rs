@@ -9,28 +9,11 @@ mod common;
 
 use common::Window;
 use egui::{Event, Key, Modifiers};
-use std::path::Path;
-use turnwright::app::Action;
 use turnwright::document::{OperationKind, PlanEdits};
 
 /// The bearing housing, planned.
 fn open() -> Window {
-    let mut window = Window::open();
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/cases/parts/bearing-housing.turn");
-    let ctx = window.harness.ctx.clone();
-    window.desk().act(&ctx, Action::Open(path));
-    window.until("opened", |desk| desk.session().is_some());
-    window.until_current();
-    window.harness.run_steps(3);
-    window
-}
-
-fn picture(window: &Window, name: &str) {
-    let picture = window.picture();
-    assert!(picture.colors() > 8, "{name}: an empty picture");
-    if let Some(folder) = std::env::var_os("WINDOW_PICTURES") {
-        picture.save(&Path::new(&folder).join(format!("{name}.png")));
-    }
+    Window::with_file("tests/cases/parts/bearing-housing.turn")
 }
 
 fn select(window: &mut Window, kind: OperationKind) {
@@ -60,7 +43,7 @@ fn an_operation_is_left_out_and_taken_again() {
     assert!(plan(&mut window).operations[0].skip);
     assert!(!kinds(&mut window).contains(&OperationKind::Face));
     window.harness.run_steps(3);
-    picture(&window, "plan-left-out");
+    window.keep_picture("plan-left-out");
     window.click("take it again");
     assert_eq!(plan(&mut window), PlanEdits::default());
     window.session().undo();
@@ -107,7 +90,7 @@ fn figures_are_typed_and_given_back_to_the_planner() {
     );
     window.until_current();
     window.harness.run_steps(3);
-    picture(&window, "plan-figures");
+    window.keep_picture("plan-figures");
     window.click("planner's choices");
     assert_eq!(plan(&mut window), PlanEdits::default());
     assert!(kinds(&mut window).contains(&OperationKind::RoughBore));

@@ -10,7 +10,6 @@ mod common;
 use common::Window;
 use egui::Key;
 use egui_kittest::kittest::Queryable;
-use std::path::Path;
 use turnwright::document::{Content, FormerShape, Kind, Shell};
 
 fn open(name: &str) -> Window {
@@ -29,14 +28,6 @@ fn shell(window: &mut Window) -> Shell {
 fn half_angle(window: &mut Window) -> f64 {
     let FormerShape::Cone { half_angle_deg, .. } = shell(window).former.shape else { panic!("a cone") };
     half_angle_deg
-}
-
-fn picture(window: &Window, name: &str) {
-    let picture = window.picture();
-    assert!(picture.colors() > 8, "{name}: an empty picture");
-    if let Some(folder) = std::env::var_os("WINDOW_PICTURES") {
-        picture.save(&Path::new(&folder).join(format!("{name}.png")));
-    }
 }
 
 /// Presses buttons of the operator's panel by their names.
@@ -60,7 +51,7 @@ fn choose(window: &mut Window, list: &str, entry: &str) {
 #[test]
 fn a_figure_is_typed_and_everything_follows() {
     let mut window = open("CONE");
-    picture(&window, "shell");
+    window.keep_picture("shell");
     window.screenshot("shell");
     let field = window.harness.get_by_label("Half angle");
     field.focus();
@@ -89,7 +80,7 @@ fn the_base_is_dragged_and_undone_in_one_step() {
     window.harness.run_steps(3);
     window.until_current();
     assert!(half_angle(&mut window) > 32.0, "{}", half_angle(&mut window));
-    picture(&window, "shell-dragged");
+    window.keep_picture("shell-dragged");
     window.session().undo();
     assert_eq!(half_angle(&mut window), 30.0);
 }
@@ -97,14 +88,14 @@ fn the_base_is_dragged_and_undone_in_one_step() {
 #[test]
 fn the_operator_is_led_to_a_run_and_repeats_it() {
     let mut window = open("CONE");
-    picture(&window, "operator-begin");
+    window.keep_picture("operator-begin");
     set_up(&mut window);
     lead(&mut window, &["C  this shell", "Run"]);
     window.harness.run_steps(30);
     assert!(window.harness.query_by_label("The roller follows the contour.").is_some());
     window.click("Rig");
     window.harness.run_steps(20);
-    picture(&window, "guided-run");
+    window.keep_picture("guided-run");
     window.screenshot("shell-run");
     let again = "Completed. Remove the component, disengage the carriage and bring it back by handwheel. Another identical piece?";
     // Ten times as fast: 35 s of the rig's time.
@@ -114,13 +105,13 @@ fn the_operator_is_led_to_a_run_and_repeats_it() {
             break;
         }
     }
-    picture(&window, "run-completed");
+    window.keep_picture("run-completed");
     lead(&mut window, &["Yes"]);
     window.harness.run_steps(4);
     window.harness.key_press(Key::Escape);
     window.harness.run_steps(4);
     assert!(window.harness.query_by_label("Emergency stop by the operator.").is_some());
-    picture(&window, "emergency-stop");
+    window.keep_picture("emergency-stop");
 }
 
 #[test]
@@ -129,7 +120,7 @@ fn published_entries_are_typed_and_wrong_ones_told() {
     set_up(&mut window);
     lead(&mut window, &["A  cone", "2", "9", "Enter"]);
     assert!(window.harness.query_by_label_contains("enter 30 to 74").is_some());
-    picture(&window, "wrong-entry");
+    window.keep_picture("wrong-entry");
     lead(&mut window, &["5", "0", "Enter", "1", "6", "Enter", "3", "0", "Enter", "No", "No"]);
     assert!(window.harness.query_by_label("cone 30°, 50 mm, 16 pulses").is_some());
 }
@@ -148,7 +139,7 @@ fn faults_stop_the_run_and_runs_are_compared() {
     lead(&mut window, &["A  cone", "5", "0", "Enter", "1", "6", "Enter", "3", "0", "Enter", "No", "No", "Run"]);
     window.harness.run_steps(4);
     window.harness.run_steps(4);
-    picture(&window, "error-plot");
+    window.keep_picture("error-plot");
     window.screenshot("shell-error");
     lead(&mut window, &["No"]);
     choose(&mut window, "Moves", "absolute moves");
@@ -157,25 +148,25 @@ fn faults_stop_the_run_and_runs_are_compared() {
     lead(&mut window, &["C  this shell", "Run"]);
     window.harness.run_steps(4);
     assert!(window.harness.query_by_label_contains("The encoder counted").is_some());
-    picture(&window, "stopped-run");
+    window.keep_picture("stopped-run");
     window.screenshot("shell-stopped");
     window.click("Runs");
-    picture(&window, "runs");
+    window.keep_picture("runs");
     window.click("published measurements");
     window.harness.run_steps(2);
-    picture(&window, "measurements");
+    window.keep_picture("measurements");
 }
 
 #[test]
 fn other_shells_and_the_former_as_a_part() {
     for name in ["PARABOLA", "DISH"] {
         let mut window = open(name);
-        picture(&window, &format!("shell-{}", name.to_lowercase()));
+        window.keep_picture(&format!("shell-{}", name.to_lowercase()));
         window.click("Program");
-        picture(&window, &format!("program-{}", name.to_lowercase()));
+        window.keep_picture(&format!("program-{}", name.to_lowercase()));
         window.click("former as part");
         window.until_current();
         assert_eq!(window.session().document().content.kind(), Kind::TurnedPart);
-        picture(&window, &format!("former-{}", name.to_lowercase()));
+        window.keep_picture(&format!("former-{}", name.to_lowercase()));
     }
 }

@@ -202,10 +202,10 @@ impl Desk {
     /// Papers of what the document is now, never of an older one.
     fn write_papers(&mut self, path: PathBuf, kind: PaperKind) {
         let Some(session) = &self.session else { return };
-        match (session.outdated(), session.derived()) {
-            (None, Some(derived)) => {
-                let shown = derived.shown(session.selection.setup);
-                self.files.write_papers(path, kind, shown, Arc::clone(&self.catalog));
+        let subject = if kind.is_of_set() { session.derived() } else { session.shown() };
+        match (session.outdated(), subject) {
+            (None, Some(subject)) => {
+                self.files.write_papers(path, kind, Arc::clone(subject), Arc::clone(&self.catalog));
             }
             (reason, _) => {
                 let reason = reason.unwrap_or("There is nothing to draw yet.");

@@ -38,6 +38,13 @@ fn cylinders(machine: &str) -> TurnedPart {
 fn channel() -> RollSet {
     let bend = Element { id: 2, kind: ElementKind::Bend { inside_radius: 2.0, angle_deg: 90.0 } };
     let line = |id, length| Element { id, kind: ElementKind::Line { length } };
+    let shafts = FormingLine {
+        station_pitch: 300.0,
+        shaft_diameter: 40.0,
+        side_shaft_diameter: 30.0,
+        gear_ratio: 1.0,
+        drawn_gap: 0.0,
+    };
     RollSet {
         machine: "mori-fanuc-6t".to_owned(),
         material: "STEEL".to_owned(),
@@ -53,21 +60,15 @@ fn channel() -> RollSet {
         opening: Opening::default(),
         sharpening: Sharpening::default(),
         composites: Vec::new(),
-        line: FormingLine {
-            station_pitch: 300.0,
-            shaft_diameter: 40.0,
-            side_shaft_diameter: 30.0,
-            gear_ratio: 1.0,
-            drawn_gap: 0.0,
-        },
-        stations: (1..).zip(CHANNEL_DEG).map(|(id, angle_deg)| station(id, angle_deg)).collect(),
+        line: shafts,
+        stations: (1..).zip(CHANNEL_DEG).map(|(id, angle_deg)| station(id, angle_deg, &shafts)).collect(),
         form_tolerance: 0.05,
         rolls: Vec::new(),
     }
 }
 
 /// A station of the channel: the bottom roll grows by 0.5 mm from one to the next, so that the strip is kept taut.
-fn station(id: u32, angle_deg: f64) -> Station {
+fn station(id: u32, angle_deg: f64, line: &FormingLine) -> Station {
     let grown = 0.5 * f64::from(id - 1);
     Station {
         id,
@@ -77,13 +78,7 @@ fn station(id: u32, angle_deg: f64) -> Station {
         tolerance_left: 0.2,
         tolerance_right: 0.2,
         pinch: Pinch::Gaps { drive: 1.0, clearance: 1.1 },
-        drive_left: None,
-        drive_right: None,
-        extension_left: Vec::new(),
-        extension_right: Vec::new(),
-        side_left: None,
-        side_right: None,
-        without_rolls: false,
+        ..Station::new(id, line)
     }
 }
 

@@ -37,6 +37,12 @@ impl PaperKind {
         }
     }
 
+    /// True for papers of a set of form-rolls as a whole; the others are about one part.
+    #[must_use]
+    pub const fn is_of_set(self) -> bool {
+        matches!(self, Self::Section(_) | Self::Templates(_) | Self::PartsList)
+    }
+
     /// The pages for `derived`, of a set those of every roll, whose machine and tools are in `catalog`.
     ///
     /// # Errors

@@ -132,19 +132,6 @@ impl Derived {
             shell: None,
         }
     }
-
-    /// As [`Self::of_setup`], shared.
-    #[must_use]
-    pub fn shown(self: &Arc<Self>, index: usize) -> Arc<Self> {
-        let roll = self.rolls.as_ref().and_then(|rolls| rolls.of_setup(index));
-        Arc::clone(roll.map_or(self, |roll| &roll.derived))
-    }
-
-    /// What follows from the one part that the clamping with this index belongs to: of a set, its roll as a document of its own.
-    #[must_use]
-    pub fn of_setup(&self, index: usize) -> &Self {
-        self.rolls.as_ref().and_then(|rolls| rolls.of_setup(index)).map_or(self, |roll| &roll.derived)
-    }
 }
 
 /// Adds what is not there yet: two stages may see the same mistake.

@@ -1,7 +1,7 @@
 //! A set of form-rolls: every roll is turned like any part, each with stages of its own, the one on screen first.
 
 use super::cache::PartCache;
-use super::{Derived, Stage, Steps, add_new, file_stem, turned_part};
+use super::{Derived, Stage, Steps, file_stem, turned_part};
 use crate::cancel::{Cancel, Cancelled};
 use crate::diagnostic::{Diagnostic, Place, has_errors};
 use crate::document::{Content, Document, FORMAT_VERSION, RollRef, RollSet};
@@ -38,14 +38,17 @@ pub struct RollDerived {
     pub setups: Range<usize>,
     /// True if it is the roll as it is designed now, not as it was before the last edit.
     pub current: bool,
+    /// True if there is nothing wrong with its design.
+    pub sound: bool,
 }
 
 impl RollDerived {
-    /// True if the programs of the roll as it is designed now passed their proofs.
+    /// True if the roll is soundly designed and the programs of it as it is now passed their proofs.
     #[must_use]
     pub fn is_proved(&self) -> bool {
         let derived = &self.derived;
         self.current
+            && self.sound
             && !has_errors(&derived.diagnostics)
             && derived.setups.iter().any(|s| !s.programs.is_empty())
             && derived.setups.iter().all(|s| s.proof.passed)
@@ -178,7 +181,7 @@ impl Whole<'_> {
         diagnostics.extend(self.design.diagnostics.iter().cloned());
         let (mut setups, mut rolls) = (Vec::new(), Vec::new());
         for roll in self.design.rolls() {
-            add_new(&mut diagnostics, &roll.diagnostics);
+            diagnostics.extend(roll.diagnostics.iter().cloned());
             let Some(of_roll) = made.get(&roll.roll) else { continue };
             let Some(derived) = &of_roll.last else { continue };
             let first = setups.len();
@@ -190,6 +193,7 @@ impl Whole<'_> {
                 derived: Arc::clone(derived),
                 setups: first..setups.len(),
                 current: of_roll.is_current(),
+                sound: self.design.is_sound(roll),
             });
         }
         let material = rolls.iter().find_map(|roll| roll.derived.material.clone());
@@ -200,12 +204,13 @@ impl Whole<'_> {
     }
 }
 
-/// A message about the part that a roll is turned as, as one about the roll.
+/// A message about the part that a roll is turned as, as one about the roll, which names the row.
 fn of_the_roll(name: &str, said: &Diagnostic) -> Diagnostic {
     match &said.at {
         Place::Block { .. } | Place::Machine { .. } | Place::Tool { .. } => said.clone(),
         of_part => Diagnostic {
             at: Place::Roll { name: name.to_owned() },
+            message: format!("{of_part}: {}", said.message),
             related: std::iter::once(of_part.clone()).chain(said.related.iter().cloned()).collect(),
             ..said.clone()
         },

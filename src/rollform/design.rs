@@ -4,7 +4,7 @@ use super::editor::{EditFault, edited};
 use super::part::turned_part;
 use super::roll::{DesignedRoll, Frame, Openings, RollElement, StationRolls, contour, rules, station_rolls};
 use super::strip::Strip;
-use crate::diagnostic::{Diagnostic, Place};
+use crate::diagnostic::{Diagnostic, Place, Severity, has_errors};
 use crate::document::{RollCopy, RollRef, RollSet, RollWork, TurnedPart};
 use crate::geometry::{Contour, Segment};
 
@@ -57,6 +57,18 @@ impl RollDesign {
     /// Every roll, station by station.
     pub fn rolls(&self) -> impl Iterator<Item = &Roll> {
         self.stations.iter().flat_map(|station| &station.rolls)
+    }
+
+    /// True if no error is said about a roll or its station.
+    #[must_use]
+    pub fn is_sound(&self, roll: &Roll) -> bool {
+        let about = |at: &Place| match at {
+            Place::Roll { name } => *name == roll.name,
+            Place::Station { id, .. } => *id == roll.roll.station,
+            _ => false,
+        };
+        !has_errors(&roll.diagnostics)
+            && !self.diagnostics.iter().any(|d| d.severity == Severity::Error && about(&d.at))
     }
 
     /// A roll.

@@ -5,6 +5,15 @@ use crate::document::{
     Sharpening, Station, StripMaterial,
 };
 
+/// The line of every set.
+const LINE: FormingLine = FormingLine {
+    station_pitch: 300.0,
+    shaft_diameter: 40.0,
+    side_shaft_diameter: 25.0,
+    gear_ratio: 1.0,
+    drawn_gap: 10.0,
+};
+
 /// A line with this id and length.
 pub(crate) const fn line(id: u32, length: f64) -> Element {
     Element { id, kind: ElementKind::Line { length } }
@@ -18,20 +27,10 @@ pub(crate) const fn bend(id: u32, inside_radius: f64, angle_deg: f64) -> Element
 /// A station with this id that changes these bends.
 pub(crate) fn station(id: u32, bends: &[(u32, f64)]) -> Station {
     Station {
-        id,
         bends: bends.iter().map(|&(element, angle_deg)| BendAngle { element, angle_deg }).collect(),
         pass_height: 70.0,
         centre_distance: 130.0,
-        tolerance_left: 0.0,
-        tolerance_right: 0.0,
-        pinch: Pinch::None,
-        drive_left: None,
-        drive_right: None,
-        extension_left: Vec::new(),
-        extension_right: Vec::new(),
-        side_left: None,
-        side_right: None,
-        without_rolls: false,
+        ..Station::new(id, &LINE)
     }
 }
 
@@ -52,13 +51,7 @@ pub(crate) fn set(thickness: f64, origin: Origin, elements: Vec<Element>, statio
         opening: Opening::MeanLine,
         sharpening: Sharpening::None,
         composites: Vec::new(),
-        line: FormingLine {
-            station_pitch: 300.0,
-            shaft_diameter: 40.0,
-            side_shaft_diameter: 25.0,
-            gear_ratio: 1.0,
-            drawn_gap: 10.0,
-        },
+        line: LINE,
         stations,
         form_tolerance: 0.02,
         rolls: Vec::new(),

@@ -2,7 +2,7 @@
 
 use super::roll::{RollElement, contour};
 use crate::diagnostic::{Diagnostic, Place};
-use crate::document::{Ends, Generator, Holding, RollKind, RollSet, RollWork, TurnedPart};
+use crate::document::{Ends, Holding, RollKind, RollSet, RollWork, TurnedPart};
 use crate::geometry::{Point, Segment};
 use crate::part::{Section, SectionKind};
 use crate::turning::cycles::{BLANK_ALLOWANCE_MM, standard_blank_mm};
@@ -25,7 +25,7 @@ pub(super) fn turned_part(
     let bore = bore_diameter(set, work.roll.kind);
     let (bar_diameter, diagnostics) = blank(work, largest, at);
     let sections: Vec<Section> = (1..).zip(elements).map(|(id, e)| section(id, &e.segment, bore)).collect();
-    let part = TurnedPart {
+    let mut part = TurnedPart {
         machine: set.machine.clone(),
         material: set.material.clone(),
         bar_diameter,
@@ -33,14 +33,11 @@ pub(super) fn turned_part(
         ends: Ends::One,
         holding: Holding::BetweenCentres,
         stock_bore_diameter: bore,
-        generator: work.generator.clone().unwrap_or(Generator::Planned { separate_programs: false }),
-        plan: work.plan.clone(),
-        program: work.program,
         form_tolerance: set.form_tolerance,
         sections,
-        overrides: work.overrides.clone(),
         ..TurnedPart::default()
     };
+    work.put_into(&mut part);
     (part, diagnostics)
 }
 

@@ -7,7 +7,7 @@ mod problems;
 mod shells;
 
 use crate::diagnostic::{Diagnostic, Severity};
-use crate::document::{Document, RollRef, TurnedPart};
+use crate::document::{Document, RollRef};
 use crate::machine::Dialect;
 use crate::proof::{FindingKind, ProgramText, ProofReport};
 use crate::regen::{Derived, Operations, SetupDerived};
@@ -15,10 +15,9 @@ use crate::worker::{Order, Outcome, Regenerate, Worker};
 pub use history::{GestureId, History};
 use light::Light;
 pub use light::{Hovered, Lit};
-use parts::change_part;
 use problems::Problems;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, LazyLock};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// What is selected everywhere in the window at once.
@@ -166,31 +165,6 @@ impl Session {
         &self.document
     }
 
-    /// The turned part in the document, or the roll of a set that is shown, as a part; one without sections if there is none.
-    #[must_use]
-    pub fn part(&self) -> &TurnedPart {
-        static NONE: LazyLock<TurnedPart> = LazyLock::new(TurnedPart::default);
-        let shown = || self.setup().map(|setup| setup.part.as_ref());
-        self.document.content.turned_part().or_else(shown).unwrap_or(&NONE)
-    }
-
-    /// The roll of a set that is shown.
-    #[must_use]
-    pub fn roll(&self) -> Option<RollRef> {
-        let rolls = self.derived.as_ref()?.rolls.as_ref()?;
-        self.selection.roll.or_else(|| rolls.of_setup(self.selection.setup).map(|roll| roll.roll))
-    }
-
-    /// Shows another roll of a set, with its station.
-    pub fn select_roll(&mut self, roll: RollRef) {
-        self.selection.roll = Some(roll);
-        self.selection.station = Some(roll.station);
-        self.selection.program = 0;
-        self.selection.block = None;
-        self.selection.operation = None;
-        self.keep_selection_in_range();
-    }
-
     /// A gesture that no edit has used yet.
     pub fn new_gesture(&mut self) -> GestureId {
         self.gestures += 1;
@@ -212,22 +186,6 @@ impl Session {
         let before = std::mem::replace(&mut self.document, Arc::new(edited));
         self.history.push(label, gesture, before);
         self.changed();
-    }
-
-    /// Changes the part; see [`Self::edit`]. Of a roll, what is decided about its turning is changed; its shape is designed.
-    pub fn edit_part(&mut self, label: &str, gesture: Option<GestureId>, change: impl FnOnce(&mut TurnedPart)) {
-        let shown = self.shown_roll();
-        self.edit(label, gesture, |document| change_part(document, shown, change));
-    }
-
-    /// Types into the part; see [`Self::type_in`] and [`Self::edit_part`].
-    pub fn type_in_part(&mut self, label: &str, change: impl FnOnce(&mut TurnedPart)) {
-        let shown = self.shown_roll();
-        self.type_in(label, |document| change_part(document, shown, change));
-    }
-
-    fn shown_roll(&self) -> Option<(RollRef, TurnedPart)> {
-        Some((self.roll()?, self.part().clone()))
     }
 
     /// Begins to type a value: what is typed from here on is one step of undo.
@@ -461,32 +419,17 @@ impl Session {
         self.problems.count(severity)
     }
 
-    /// How many rolls of a set are proved, and how many there are; `None` for other documents.
-    #[must_use]
-    pub fn rolls_proved(&self) -> Option<(usize, usize)> {
-        let set = self.derived.as_ref()?.rolls.as_ref()?;
-        let proved = set.rolls.iter().filter(|roll| roll.is_proved()).count();
-        Some((proved, set.design.rolls().count()))
-    }
-
     /// What the proofs say of the document as it is now; of a set, of the roll that is shown.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
-        let (Some(derived), true) = (&self.derived, self.is_current()) else {
+        if !self.is_current() {
             return if self.fault.is_some() { Verdict::Failed { errors: 1 } } else { Verdict::Pending };
-        };
-        let shown = match &derived.rolls {
-            Some(_) => derived.of_setup(self.selection.setup),
-            None => derived.as_ref(),
-        };
-        let errors = match &derived.rolls {
-            // The other rolls of a set do not keep this one from the lathe.
-            Some(_) => Problems::collect(None, Some(shown)).count(Severity::Error),
-            None => self.problem_count(Severity::Error),
-        };
+        }
+        let errors = self.errors_of_shown();
         if errors > 0 {
             return Verdict::Failed { errors };
         }
+        let Some(shown) = self.shown() else { return Verdict::NoProgram };
         if let Some(made) = &shown.shell {
             return shells::verdict(made);
         }

@@ -1,57 +1,157 @@
-//! An edit of the part that is shown, in the document that holds it.
+//! The part that is shown: that of the document, or a roll of a set as the part that it is turned as.
 
+use super::{GestureId, Session};
+use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::document::{Content, Document, RollRef, RollWork, TurnedPart};
+use crate::regen::{Derived, RollSetDerived};
+use std::sync::{Arc, LazyLock};
+
+impl Session {
+    /// The turned part in the document, or the roll of a set that is shown, as a part; one without sections if there is none.
+    #[must_use]
+    pub fn part(&self) -> &TurnedPart {
+        static NONE: LazyLock<TurnedPart> = LazyLock::new(TurnedPart::default);
+        let shown = || self.setup().map(|setup| setup.part.as_ref());
+        self.document.content.turned_part().or_else(shown).unwrap_or(&NONE)
+    }
+
+    /// The roll of a set that is shown.
+    #[must_use]
+    pub fn roll(&self) -> Option<RollRef> {
+        self.selection.roll.or_else(|| self.rolls()?.of_setup(self.selection.setup).map(|roll| roll.roll))
+    }
+
+    fn rolls(&self) -> Option<&RollSetDerived> {
+        self.derived.as_ref()?.rolls.as_deref()
+    }
+
+    /// Shows another roll of a set, with its station.
+    pub fn select_roll(&mut self, roll: RollRef) {
+        self.selection.roll = Some(roll);
+        self.selection.station = Some(roll.station);
+        self.selection.program = 0;
+        self.selection.block = None;
+        self.selection.operation = None;
+        self.keep_selection_in_range();
+    }
+
+    /// What follows from what is shown: of a set, from its roll as a document of its own, if that can be turned.
+    #[must_use]
+    pub fn shown(&self) -> Option<&Arc<Derived>> {
+        match self.rolls() {
+            Some(rolls) => rolls.of_roll(self.roll()?).map(|roll| &roll.derived),
+            None => self.derived.as_ref(),
+        }
+    }
+
+    /// How many rolls of a set are proved, and how many there are; `None` for other documents.
+    #[must_use]
+    pub fn rolls_proved(&self) -> Option<(usize, usize)> {
+        let set = self.rolls()?;
+        Some((set.rolls.iter().filter(|roll| roll.is_proved()).count(), set.design.rolls().count()))
+    }
+
+    /// Errors that keep what is shown from the lathe: those of other rolls of a set do not.
+    pub(super) fn errors_of_shown(&self) -> usize {
+        let errors = self.problems().iter().filter(|d| d.severity == Severity::Error);
+        match (self.rolls(), self.roll()) {
+            (Some(set), Some(roll)) => errors.filter(|error| concerns(error, set, roll)).count(),
+            _ => errors.count(),
+        }
+    }
+
+    /// Changes the part; see [`Self::edit`]. Of a roll, what is decided about its turning is changed; its shape is designed.
+    pub fn edit_part(&mut self, label: &str, gesture: Option<GestureId>, change: impl FnOnce(&mut TurnedPart)) {
+        let shown = self.shown_roll();
+        self.edit(label, gesture, |document| change_part(document, shown, change));
+    }
+
+    /// Types into the part; see [`Self::type_in`] and [`Self::edit_part`].
+    pub fn type_in_part(&mut self, label: &str, change: impl FnOnce(&mut TurnedPart)) {
+        let shown = self.shown_roll();
+        self.type_in(label, |document| change_part(document, shown, change));
+    }
+
+    fn shown_roll(&self) -> Option<(RollRef, TurnedPart)> {
+        Some((self.roll()?, self.setup()?.part.as_ref().clone()))
+    }
+}
+
+/// True if an error is about this roll, its station or all of the set.
+fn concerns(error: &Diagnostic, set: &RollSetDerived, roll: RollRef) -> bool {
+    match &error.at {
+        Place::Roll { name } => set.design.roll(roll).is_some_and(|r| r.name == *name),
+        Place::Station { id, .. } => *id == roll.station,
+        Place::Block { program, .. } => set
+            .of_roll(roll)
+            .is_some_and(|made| made.derived.setups.iter().flat_map(|s| s.programs.iter()).any(|p| p.name == *program)),
+        _ => true,
+    }
+}
 
 /// Changes the part that is shown: that of the document, or, of a set, the roll `shown` with the part it is turned as.
 ///
 /// A roll's shape follows from its design, so that only what is decided about its turning goes into the document.
-pub(super) fn change_part(
-    document: &mut Document,
-    shown: Option<(RollRef, TurnedPart)>,
-    change: impl FnOnce(&mut TurnedPart),
-) {
+fn change_part(document: &mut Document, shown: Option<(RollRef, TurnedPart)>, change: impl FnOnce(&mut TurnedPart)) {
     match (&mut document.content, shown) {
         (Content::TurnedPart(part), _) => change(part),
-        (Content::RollSet(set), Some((roll, before))) => {
+        (Content::RollSet(set), Some((roll, mut before))) => {
+            // What is shown may be older than the document.
+            set.roll(roll).cloned().unwrap_or_else(|| RollWork::of(roll)).put_into(&mut before);
+            before.machine.clone_from(&set.machine);
+            before.material.clone_from(&set.material);
             let mut after = before.clone();
             change(&mut after);
-            if after.machine != before.machine {
-                set.machine.clone_from(&after.machine);
+            if after == before {
+                return;
             }
-            if after.material != before.material {
-                set.material.clone_from(&after.material);
-            }
-            decide(set.roll_mut(roll), &before, after);
+            set.machine.clone_from(&after.machine);
+            set.material.clone_from(&after.material);
+            set.roll_mut(roll).take_from(&before, after);
         }
         (Content::RollSet(_) | Content::Shell(_), _) => {}
     }
 }
 
-/// Notes what differs between a roll's part before and after an edit.
-fn decide(work: &mut RollWork, before: &TurnedPart, after: TurnedPart) {
-    if (after.bar_diameter - before.bar_diameter).abs() > 0.0 {
-        work.blank_diameter = Some(after.bar_diameter);
-    }
-    if after.generator != before.generator {
-        work.generator = Some(after.generator);
-    }
-    work.plan = after.plan;
-    work.program = after.program;
-    work.overrides = after.overrides;
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::RollKind;
+    use crate::document::{FORMAT_VERSION, Origin, RollKind, RollSet};
+    use crate::rollform::fixtures;
+    use crate::units::Unit;
+
+    const TOP: RollRef = RollRef { station: 1, kind: RollKind::Top };
+
+    fn document() -> Document {
+        let elements = vec![fixtures::line(1, 20.0), fixtures::bend(2, 2.0, 90.0), fixtures::line(3, 10.0)];
+        let set = fixtures::set(1.0, Origin::Symmetrical, elements, vec![fixtures::station(1, &[(2, 30.0)])]);
+        let content = Content::RollSet(set);
+        Document { turnwright: FORMAT_VERSION, name: "SET".to_owned(), unit: Unit::Mm, content }
+    }
+
+    fn set(document: &Document) -> &RollSet {
+        document.content.roll_set().unwrap()
+    }
 
     #[test]
-    fn only_what_was_changed_is_decided() {
-        let mut work = RollWork::of(RollRef { station: 1, kind: RollKind::Top });
-        let before = TurnedPart::default();
-        decide(&mut work, &before, before.clone());
-        assert_eq!(work, RollWork::of(work.roll));
-        decide(&mut work, &before, TurnedPart { bar_diameter: 150.0, ..before.clone() });
-        assert_eq!((work.blank_diameter, work.generator), (Some(150.0), None));
+    fn only_what_was_changed_is_decided_and_nothing_leaves_no_trace() {
+        let mut edited = document();
+        let shown = TurnedPart { bar_diameter: 140.0, ..TurnedPart::default() };
+        change_part(&mut edited, Some((TOP, shown.clone())), |_| {});
+        assert_eq!(edited, document());
+        change_part(&mut edited, Some((TOP, shown)), |part| part.bar_diameter = 150.0);
+        let work = set(&edited).roll(TOP).unwrap();
+        assert_eq!(*work, RollWork { blank_diameter: Some(150.0), ..RollWork::of(TOP) });
+    }
+
+    #[test]
+    fn a_second_edit_keeps_the_first_though_what_is_shown_is_older() {
+        let mut edited = document();
+        let shown = TurnedPart::default();
+        let put = |name: &str| (name.to_owned(), "M30".to_owned());
+        for name in ["A", "B"] {
+            change_part(&mut edited, Some((TOP, shown.clone())), |part| part.overrides.extend([put(name)]));
+        }
+        assert_eq!(set(&edited).roll(TOP).unwrap().overrides, [put("A"), put("B")].into());
     }
 }

@@ -9,9 +9,10 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use raster::{Picture, Raster, Textures};
 use std::cell::RefCell;
+use std::path::Path;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
-use turnwright::app::{Desk, Surroundings};
+use turnwright::app::{Action, Desk, Surroundings};
 use turnwright::session::Session;
 
 /// The window under test and what is needed to draw it.
@@ -92,6 +93,27 @@ impl Window {
         self.harness.run_steps(3);
     }
 
+    /// A window with a file of the project, regenerated.
+    pub fn with_file(name: &str) -> Self {
+        let mut window = Self::open();
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
+        let ctx = window.harness.ctx.clone();
+        window.desk().act(&ctx, Action::Open(path));
+        window.until("opened", |desk| desk.session().is_some());
+        window.until_current();
+        window.harness.run_steps(3);
+        window
+    }
+
+    /// Writes the window as it is now to the folder `WINDOW_PICTURES` names, if there is one.
+    pub fn keep_picture(&self, name: &str) {
+        let picture = self.picture();
+        assert!(picture.colors() > 8, "{name}: an empty picture");
+        if let Some(folder) = std::env::var_os("WINDOW_PICTURES") {
+            picture.save(&Path::new(&folder).join(format!("{name}.png")));
+        }
+    }
+
     /// Waits until what is drawn belongs to the document as it is.
     pub fn until_current(&mut self) {
         self.until("regenerated", |desk| desk.session().is_some_and(Session::is_current));
@@ -107,7 +129,7 @@ impl Window {
         let picture = self.picture();
         assert!(picture.colors() > 8, "{name}: an empty picture");
         if std::env::var_os("UPDATE_SCREENSHOTS").is_some_and(|v| v == "1") {
-            let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("screenshots");
+            let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("screenshots");
             picture.save(&folder.join(format!("{name}.png")));
         }
     }

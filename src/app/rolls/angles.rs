@@ -171,7 +171,6 @@ pub(super) fn set_angle(station: &mut Station, element: u32, angle_deg: Option<f
 
 /// Adds a station like the last one, with every bend at its finished angle.
 fn add_station(document: &mut Document) {
-    let in_mm = document.unit.in_mm();
     let Some(set) = super::set_mut(document) else { return };
     let id = set.stations.iter().map(|s| s.id).max().map_or(1, |id| id.saturating_add(1));
     let finished = set.section.all().filter_map(|element| match element.kind {
@@ -181,7 +180,7 @@ fn add_station(document: &mut Document) {
     let bends = finished.collect();
     let station = match set.stations.last() {
         Some(last) => Station { id, bends, ..last.clone() },
-        None => super::station_data::first_station(id, bends, in_mm),
+        None => Station { bends, ..Station::new(id, &set.line) },
     };
     set.stations.push(station);
 }

@@ -57,13 +57,10 @@ pub(super) fn show(
             StationEvent::SelectElement(element) => session.selection.element = Some(element),
             StationEvent::SelectRoll(roll) => session.select_roll(roll),
             StationEvent::Pointer(p) => {
-                let in_mm = document.unit.in_mm();
-                requests.place = requests.place.clone().or(Some(format!(
-                    "across {}  height {} {}",
-                    fixed(p.z / in_mm, document.unit.decimals()),
-                    fixed(p.r / in_mm, document.unit.decimals()),
-                    document.unit.symbol()
-                )));
+                let length = |mm: f64| fixed(mm / document.unit.in_mm(), document.unit.decimals());
+                requests.place.get_or_insert_with(|| {
+                    format!("across {}  height {} {}", length(p.z), length(p.r), document.unit.symbol())
+                });
             }
         }
     }

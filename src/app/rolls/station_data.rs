@@ -6,17 +6,13 @@ use crate::app::desk::Requests;
 use crate::app::theme::{self, Colors};
 use crate::app::widgets::{link, title_row};
 use crate::document::{
-    BendAngle, DriveSurface, ElementKind, ExtensionContour, ExtensionKind, Face, Origin, Pinch, RollSet, SideEnd,
-    SideRoll, Station,
+    DriveSurface, ElementKind, ExtensionContour, ExtensionKind, Face, Origin, Pinch, RollSet, SideEnd, SideRoll,
+    Station,
 };
 use crate::session::Session;
 use crate::units::Unit;
 use egui::{ScrollArea, Ui};
 
-/// Radius of the bottom roll of a first station, mm.
-const PASS_HEIGHT_MM: f64 = 75.0;
-/// Axes of a first station, mm.
-const CENTRES_MM: f64 = 150.0;
 /// Parts of a spigot that is added, mm: a shoulder that two rolls of usual size run on.
 const SPIGOT_MM: [f64; 4] = [8.0, 13.0, 8.0, 13.0];
 
@@ -58,26 +54,6 @@ fn steps(ui: &mut Ui, session: &mut Session, set: &RollSet, found: Option<(usize
     };
     go(ui, "▶", "Next station", Some(number));
     go(ui, "◀", "Station before", number.checked_sub(2));
-}
-
-/// A station to begin with.
-pub(super) fn first_station(id: u32, bends: Vec<BendAngle>, in_mm: f64) -> Station {
-    Station {
-        id,
-        bends,
-        pass_height: PASS_HEIGHT_MM / in_mm,
-        centre_distance: CENTRES_MM / in_mm,
-        tolerance_left: 0.0,
-        tolerance_right: 0.0,
-        pinch: Pinch::None,
-        drive_left: None,
-        drive_right: None,
-        extension_left: Vec::new(),
-        extension_right: Vec::new(),
-        side_left: None,
-        side_right: None,
-        without_rolls: false,
-    }
 }
 
 /// The fields of a station.

@@ -1,7 +1,7 @@
 //! Single rolls of a set: which there are, and what is decided about them.
 
 use super::RollEdit;
-use crate::document::{Generator, PlanEdits, ProgramChoices};
+use crate::document::{Generator, PlanEdits, ProgramChoices, TurnedPart};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -110,6 +110,28 @@ impl RollWork {
             program: ProgramChoices::default(),
             overrides: BTreeMap::new(),
         }
+    }
+
+    /// Puts what is decided into the part that the roll is turned as; its blank stays as it is if none was chosen.
+    pub fn put_into(&self, part: &mut TurnedPart) {
+        part.bar_diameter = self.blank_diameter.unwrap_or(part.bar_diameter);
+        part.generator = self.generator.clone().unwrap_or(Generator::Planned { separate_programs: false });
+        part.plan = self.plan.clone();
+        part.program = self.program;
+        part.overrides.clone_from(&self.overrides);
+    }
+
+    /// Takes over what an edit of that part changed.
+    pub fn take_from(&mut self, before: &TurnedPart, after: TurnedPart) {
+        if (after.bar_diameter - before.bar_diameter).abs() > 0.0 {
+            self.blank_diameter = Some(after.bar_diameter);
+        }
+        if after.generator != before.generator {
+            self.generator = Some(after.generator);
+        }
+        self.plan = after.plan;
+        self.program = after.program;
+        self.overrides = after.overrides;
     }
 
     /// The same with every length multiplied by `factor`.
