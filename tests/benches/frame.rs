@@ -8,7 +8,7 @@
 #![allow(clippy::expect_used, reason = "a benchmark may stop at once when its data is not there")]
 #![allow(clippy::print_stdout, reason = "a benchmark prints its figures")]
 
-#[path = "../common/mod.rs"]
+#[path = "../window/common/mod.rs"]
 mod common;
 
 use common::Window;

@@ -1,0 +1,27 @@
+//! Everything without window and port: importers, planner, posts, proof, form-rolls, shells and papers, held against published
+//! data, against readers of their own and against LinuxCNC's interpreter.
+//!
+//! One program for all, since each test program carries the whole library. `cargo test --test engine planner::` runs one file's.
+
+mod bad_input;
+mod changed_bytes;
+mod cut_by;
+mod fanuc_listing;
+mod linuxcnc_judge;
+mod mutants;
+mod orac_listing;
+mod papers;
+mod plan_edits;
+mod planned_against_published;
+mod planner;
+mod planner_stages;
+mod published_flow_turning;
+mod published_generator;
+mod regen;
+mod roll_set_import;
+mod roll_sets;
+mod rolfom_listing;
+mod shells;
+mod support;
+mod word_post;
+mod words_scan;

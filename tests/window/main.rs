@@ -1,0 +1,15 @@
+//! What a person does in the window, and what becomes of document, files and picture; drawn without a GPU.
+
+#![cfg(feature = "gui")]
+
+mod bore;
+mod common;
+mod desk;
+mod files;
+mod flower;
+mod operations;
+mod pictures;
+mod plan;
+mod roll_editor;
+mod rolls;
+mod shell;
