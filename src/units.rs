@@ -1,7 +1,9 @@
 //! Length units of documents and files. The core works in mm; inches exist at the edges only.
 
+mod figure;
 mod length;
 
+pub use figure::trimmed;
 pub use length::parse_length;
 use serde::{Deserialize, Serialize};
 

@@ -10,7 +10,7 @@ use super::widgets::{choice, field, form_label, remark, title_row};
 use crate::diagnostic::{Column, SectionTable};
 use crate::part::{Section, SectionKind};
 use crate::session::Session;
-use crate::units::Unit;
+use crate::units::{Unit, trimmed};
 use egui::{RichText, Ui};
 
 /// Width of the labels, points.
@@ -139,11 +139,7 @@ fn centre(section: &Section, table: SectionTable) -> Option<(f64, f64)> {
 fn about(session: &Session, section: &Section, unit: Unit) -> String {
     let Some(machine) = session.derived().and_then(|d| d.machine.clone()) else { return String::new() };
     let limits = machine.limits;
-    let length = |mm: f64| {
-        let text = fixed(mm / unit.in_mm(), unit.decimals());
-        let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-        format!("{text} {}", unit.symbol())
-    };
+    let length = |mm: f64| format!("{} {}", trimmed(mm / unit.in_mm(), unit.decimals()), unit.symbol());
     match section.kind {
         SectionKind::Concave { .. } | SectionKind::Convex { .. } => format!(
             "Radius may be {} to {} on this lathe.",

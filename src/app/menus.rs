@@ -10,6 +10,7 @@ use super::widgets::{chip, clock, primary_button};
 use crate::document::{Content, Kind as DocumentKind};
 use crate::papers::{DrawingChoice, Paper, PaperKind};
 use crate::session::{SaveState, Session, Verdict};
+use crate::units::trimmed;
 use egui::{Align, Button, KeyboardShortcut, RichText, Ui};
 
 /// Shows the line.
@@ -260,8 +261,7 @@ fn what(ui: &mut Ui, session: &Session, colors: &Colors) {
         Content::RollSet(set) if part.sections.is_empty() => (&set.machine, set.section.thickness, &set.strip.name),
         _ => (&part.machine, part.bar_diameter, &part.material),
     };
-    let size = super::plots::fixed(size, unit.decimals());
-    let size = if size.contains('.') { size.trim_end_matches('0').trim_end_matches('.') } else { &size };
+    let size = trimmed(size, unit.decimals());
     let text = format!("{} · {size} {} {}", machine.to_uppercase(), unit.symbol(), material.to_lowercase());
     ui.label(theme::quiet(text, colors));
 }

@@ -1,16 +1,10 @@
 //! Figures as people write them.
 
-use crate::units::Unit;
+use crate::units::{Unit, trimmed};
 
 /// A length of mm in the document's unit, without trailing zeros.
 pub(super) fn number(mm: f64, unit: Unit) -> String {
-    shortened(&format!("{:.*}", unit.decimals(), mm / unit.in_mm()))
-}
-
-/// A figure without trailing zeros and without a negative zero.
-pub(super) fn shortened(text: &str) -> String {
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text };
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    trimmed(mm / unit.in_mm(), unit.decimals())
 }
 
 #[cfg(test)]

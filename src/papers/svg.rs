@@ -3,6 +3,7 @@
 use super::font;
 use super::page::{Align, Ink, Item, Page, Pen};
 use crate::geometry::{Contour, Segment};
+use crate::units::trimmed;
 use std::fmt::Write;
 
 /// The page true to size in mm. Arcs stay arcs; texts name Inter and fall back to any sans-serif type.
@@ -75,11 +76,9 @@ fn color(ink: Ink) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// Up to four decimals (0.1 µm), none of them a trailing zero, and no negative zero.
+/// Up to four decimals (0.1 µm).
 fn number(value: f64) -> String {
-    let text = format!("{value:.4}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    trimmed(value, 4)
 }
 
 fn escaped(text: &str) -> String {

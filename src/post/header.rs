@@ -2,6 +2,7 @@
 
 use crate::document::{Document, Holding, TurnedPart};
 use crate::machine::{Catalog, Machine};
+use crate::units::trimmed;
 use std::collections::BTreeMap;
 
 /// Texts for the operator at the head of a program. Equal documents give equal texts: there is no clock in them.
@@ -40,10 +41,7 @@ impl Header {
 
 fn stock(document: &Document, part: &TurnedPart) -> String {
     let decimals = document.unit.decimals();
-    let figure = |value: f64| {
-        let text = format!("{value:.decimals$}");
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    };
+    let figure = |value: f64| trimmed(value, decimals);
     let bore = if part.stock_bore_diameter > 0.0 {
         format!(" BORE D{}", figure(part.stock_bore_diameter))
     } else {

@@ -2,7 +2,7 @@
 
 use super::{Cut, CutMove, Feed, Operation, RecipeKind, Speed};
 use crate::machine::Machine;
-use crate::units::Unit;
+use crate::units::{Unit, trimmed};
 
 /// Smallest and largest of some figures.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -112,12 +112,6 @@ fn range(span: Span, scale: f64, decimals: usize) -> String {
 #[must_use]
 pub fn short(value: f64) -> String {
     trimmed(value, 3)
-}
-
-fn trimmed(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 
 #[cfg(test)]

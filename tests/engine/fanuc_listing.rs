@@ -3,10 +3,10 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "sequence numbers")]
 
-use turnwright::machine::{Catalog, Machine};
-use turnwright::post::{Header, Options, PostOutput, post};
 use crate::words_scan::listing::{LISTING, path_of_listing};
 use crate::words_scan::{Word, scan};
+use turnwright::machine::{Catalog, Machine};
+use turnwright::post::{Header, Options, PostOutput, post};
 
 /// The listing's program number: stage 02, roll 01.
 const NUMBER: u32 = 201;

@@ -6,6 +6,9 @@
 #![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
 #![allow(clippy::print_stdout, clippy::panic, reason = "says what was judged, and stops where the judge objects")]
 
+use crate::words_scan::listing::path_of_listing;
+use crate::words_scan::paths::{Wanted, all_sorts, compare, finish_with_recipe, thread_with_recipe, wanted};
+use crate::words_scan::read::{Step, read};
 use std::fmt::Write as _;
 use std::process::Command;
 use std::sync::Arc;
@@ -20,9 +23,6 @@ use turnwright::spinning;
 use turnwright::storage::{document_from_text, examples_of};
 use turnwright::turning::CutterPath;
 use turnwright::units::Unit;
-use crate::words_scan::listing::path_of_listing;
-use crate::words_scan::paths::{Wanted, all_sorts, compare, finish_with_recipe, thread_with_recipe, wanted};
-use crate::words_scan::read::{Step, read};
 
 /// What LinuxCNC's moves may differ from ours, mm.
 const TOLERANCE: f64 = 0.001;

@@ -30,13 +30,13 @@ fn printed(text: &str) -> Vec<Instruction> {
 }
 
 /// Instruction files of a part as generated.
-fn generated((setup, part): &support::Part) -> Vec<Vec<Instruction>> {
+fn generated((setup, part): &crate::support::Part) -> Vec<Vec<Instruction>> {
     let (path, _) = generate(setup, part, &orac(), &material());
     files(&path, 1000.0).into_iter().map(|f| f.instructions).collect()
 }
 
 /// Programs and files of a part as `build` would write them.
-fn posted(name: &str, (setup, part): &support::Part) -> PostOutput {
+fn posted(name: &str, (setup, part): &crate::support::Part) -> PostOutput {
     let machine = orac();
     let (path, _) = generate(setup, part, &machine, &material());
     let output = post(name, &path, &Options { optimize: true, automatic: false, ..Options::default() }, &machine);
@@ -106,7 +106,7 @@ fn the_masters_first_file_ends_at_the_quoted_numbers() {
 
 #[test]
 fn the_numbers_of_instructions_are_the_published_ones_but_for_the_unexplained_start() {
-    let counts = |part: &support::Part| generated(part).iter().map(Vec::len).collect::<Vec<_>>();
+    let counts = |part: &crate::support::Part| generated(part).iter().map(Vec::len).collect::<Vec<_>>();
     assert_eq!(counts(&master()), [111, 28, 0, 5, 7]);
     // Printed: 124, 25, 0, 36, 18. The unexplained start leaves a second area to the left-hand tool: one more stroke of five
     // instructions in file 4, three moves and a segment in file 5.
@@ -152,7 +152,7 @@ fn the_masters_short_file_has_the_diagonals_and_gaps_of_the_printed_one() {
 
 #[test]
 fn the_numbers_of_shortened_instructions_are_the_published_ones_but_for_the_unexplained_start() {
-    let counts = |part: &support::Part| generated(part).iter().map(|f| optimize(f).len()).collect::<Vec<_>>();
+    let counts = |part: &crate::support::Part| generated(part).iter().map(|f| optimize(f).len()).collect::<Vec<_>>();
     assert_eq!(counts(&master()), [75, 26, 0, 5, 7]);
     // Printed: 91, 25, 0, 26, 18. A stroke of file 4 less, and an area of file 5.
     assert_eq!(counts(&queen()), [91, 25, 0, 26 - 5, 18 - 4]);
@@ -164,7 +164,8 @@ fn the_printed_pages_come_out_of_the_printed_short_file() {
     instructions.push(Instruction::End);
     let text = pages_text(&instructions);
     assert_eq!(compress(&text, "QUEEN1"), (instructions, vec![]));
-    let sample = include_str!("../cases/queen/QUEEN1-pages-sample.txt").replace('\n', "\r\n").replace("PAGE", "\u{2}PAGE");
+    let sample =
+        include_str!("../cases/queen/QUEEN1-pages-sample.txt").replace('\n', "\r\n").replace("PAGE", "\u{2}PAGE");
     let (first, last) = sample.split_once("etc.\r\n").unwrap();
     assert!(text.starts_with(first), "pages 1 to 25");
     assert!(text.contains(last), "pages 90 and 91");

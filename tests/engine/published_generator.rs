@@ -3,8 +3,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
 
-use proptest::prelude::*;
 use crate::support::{Part, master, orac, queen, stepped};
+use proptest::prelude::*;
 use turnwright::diagnostic::has_errors;
 use turnwright::geometry::Point;
 use turnwright::machine::{Catalog, Material, OracData};
@@ -61,7 +61,7 @@ fn every_operation_ends_at_the_datum_and_never_beyond_the_axis() {
 
 #[test]
 fn every_example_becomes_programs_that_the_lathe_can_hold() {
-    for (name, clampings) in support::all_examples() {
+    for (name, clampings) in crate::support::all_examples() {
         for part in clampings {
             let machine = orac();
             let (path, diagnostics) = generate(&part.0, &part.1, &machine, &material());
@@ -170,7 +170,7 @@ proptest! {
     #[test]
     fn no_move_enters_the_part(radii in proptest::collection::vec((0.5..13.0_f64, 0.5..13.0_f64, 0.3..8.0_f64), 2..8)) {
         let part = stepped(&radii);
-        let corners = support::corners(&part.0);
+        let corners = crate::support::corners(&part.0);
         let path = path(&part);
         for operation in &path.operations {
             let places = operation_places(&path, operation.kind);

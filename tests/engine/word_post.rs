@@ -2,16 +2,16 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
 
-use proptest::prelude::*;
-use turnwright::geometry::{Point, Segment, Vector};
-use turnwright::machine::{ArcCenter, Catalog, Comments, Machine};
-use turnwright::post::{Header, Options, PostOutput, post};
-use turnwright::turning::{CutMove, CutterPath, OperationKind};
 use crate::words_scan::paths::{
     CUT, all_sorts, compare, finish_with_recipe, operation, rough_and_finish_with_recipes, thread_with_recipe, wanted,
 };
 use crate::words_scan::read::read;
 use crate::words_scan::scan;
+use proptest::prelude::*;
+use turnwright::geometry::{Point, Segment, Vector};
+use turnwright::machine::{ArcCenter, Catalog, Comments, Machine};
+use turnwright::post::{Header, Options, PostOutput, post};
+use turnwright::turning::{CutMove, CutterPath, OperationKind};
 
 /// Counts of the last decimal that a move may be off: half a count on either axis for its ends and as much for its centre,
 /// which adds up on arcs of half a turn.

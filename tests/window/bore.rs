@@ -2,7 +2,6 @@
 //!
 //! `WINDOW_PICTURES=FOLDER cargo test --test window bore::` writes the pictures to a folder.
 
-
 use crate::common::Window;
 use egui::{Event, Key};
 use egui_kittest::kittest::Queryable;

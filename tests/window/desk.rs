@@ -1,6 +1,5 @@
 //! The window: what a person does on it, and what becomes of the document.
 
-
 use crate::common::Window;
 use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable;
@@ -155,7 +154,7 @@ fn a_program_whose_proof_fails_is_sent_in_a_second_step_only() {
     let mut window = Window::open();
     window.open_example("QUEEN");
     window.desk().set_paced(false);
-    common::change_one_z(&mut window);
+    crate::common::change_one_z(&mut window);
     assert!(matches!(window.session().verdict(), Verdict::Failed { .. }));
     window.click("Send to ORAC");
     assert!(window.desk().asks_to_insist());
@@ -340,7 +339,7 @@ fn the_line_under_the_pointer_stays_lit_in_the_profile() {
 fn a_gouging_block_lights_the_row_that_it_spoils() {
     let mut window = Window::open();
     window.open_example("QUEEN");
-    common::change_one_z(&mut window);
+    crate::common::change_one_z(&mut window);
     let proof = window.session().setup().unwrap().proof.clone();
     let gouge = proof.errors().find(|f| f.kind == turnwright::proof::FindingKind::Gouge).unwrap();
     let program = window.session().setup().unwrap().programs.iter().position(|p| p.name == gouge.program).unwrap();

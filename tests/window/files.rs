@@ -171,7 +171,7 @@ fn a_dropped_program_is_proved_on_the_open_part_and_undone() {
     let mut window = Window::open();
     window.open_example("QUEEN");
     let own = window.session().program().unwrap().clone();
-    common::change_one_z(&mut window);
+    crate::common::change_one_z(&mut window);
     let path = folder.path().join("from-the-lathe.cnc");
     std::fs::write(&path, &window.session().program().unwrap().text).unwrap();
     window.session().undo();

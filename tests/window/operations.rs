@@ -1,6 +1,5 @@
 //! The operations panel and the editors of data: what a person does, and what becomes of document and files.
 
-
 use crate::common::Window;
 use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::Queryable;

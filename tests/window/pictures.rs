@@ -1,6 +1,5 @@
 //! Pictures of the running window. `UPDATE_SCREENSHOTS=1 cargo test --test window pictures::` writes them to `screenshots/`.
 
-
 use crate::common::Window;
 use egui_kittest::kittest::Queryable;
 use turnwright::app::data::Kind;
@@ -56,7 +55,7 @@ fn playback_of_a_form_roll() {
 fn failing_proof() {
     let mut window = Window::open();
     window.open_example("QUEEN");
-    common::change_one_z(&mut window);
+    crate::common::change_one_z(&mut window);
     window.click("Problems");
     let problem = window.session().problems().first().cloned().unwrap();
     let ctx = window.harness.ctx.clone();

@@ -1,8 +1,8 @@
 //! Figures of a drawing: lengths, chamfers and threads as a drafter writes them.
 
-use crate::papers::number::{number, shortened};
+use crate::papers::number::number;
 use crate::part::{Parabola, ParabolaAxis, Section, SectionKind};
-use crate::units::{MM_PER_INCH, Unit};
+use crate::units::{MM_PER_INCH, Unit, trimmed};
 
 /// Depth of an outside ISO metric thread for its pitch, on the diameter: d − d3 = 1.22687·P (ISO 68-1).
 const METRIC_OUTSIDE: f64 = 1.226_87;
@@ -48,7 +48,7 @@ pub(super) fn thread(row_mm: &Section, inside: bool, unit: Unit) -> String {
     }
     let per_inch = MM_PER_INCH / pitch;
     let pitch_text = match unit {
-        Unit::Inch if starts <= 1 => format!("{} to the inch", shortened(&format!("{per_inch:.2}"))),
+        Unit::Inch if starts <= 1 => format!("{} to the inch", trimmed(per_inch, 2)),
         Unit::Inch | Unit::Mm => pitch_text,
     };
     format!("thread {} × {pitch_text}, core {}", number(major, unit), number(minor, unit))

@@ -1,5 +1,6 @@
 //! Scales of technical drawings (ISO 5455).
 
+use crate::units::trimmed;
 use std::fmt::Write;
 
 /// A scale.
@@ -33,8 +34,7 @@ impl Scale {
     /// `2:1`, `1:5`.
     pub(in crate::papers) fn name(self) -> String {
         let larger = self.factor >= 1.0;
-        let figure = format!("{:.3}", if larger { self.factor } else { 1.0 / self.factor });
-        let figure = figure.trim_end_matches('0').trim_end_matches('.');
+        let figure = trimmed(if larger { self.factor } else { 1.0 / self.factor }, 3);
         let mut name = String::new();
         // Writing to a String cannot fail.
         let _ = if larger { write!(name, "{figure}:1") } else { write!(name, "1:{figure}") };

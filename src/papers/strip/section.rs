@@ -7,12 +7,12 @@ use crate::geometry::{Point, Vector};
 use crate::papers::arrow;
 use crate::papers::drawing::DrawingChoice;
 use crate::papers::frame;
-use crate::papers::number::shortened;
 use crate::papers::page::{Align, Ink, Page, Paper, Pen};
 use crate::regen::Derived;
 use crate::rollform::bends::Stage;
 use crate::rollform::developed::element_mm;
 use crate::rollform::strip::{Side, Strip};
+use crate::units::trimmed;
 
 /// Largest scale of a section.
 const MOST: f64 = 50.0;
@@ -126,7 +126,7 @@ fn rows(subject: &Subject<'_>) -> Vec<[String; 5]> {
             ElementKind::Bend { inside_radius, angle_deg } => {
                 let kind = if angle_deg < 0.0 { "bend down" } else { "bend up" };
                 let radius = format!("R {}", subject.length(inside_radius * in_mm));
-                [number, kind.to_owned(), radius, format!("{}°", shortened(&format!("{angle_deg:.3}"))), mean]
+                [number, kind.to_owned(), radius, format!("{}°", trimmed(angle_deg, 3)), mean]
             }
         }
     };

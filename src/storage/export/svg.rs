@@ -2,6 +2,7 @@
 
 use crate::geometry::{Bounds, Contour, Point, Segment};
 use crate::part::PartContour;
+use crate::units::trimmed;
 use std::fmt::Write;
 
 /// Paper around the part, mm.
@@ -107,11 +108,9 @@ fn edges(contour: &Contour) -> String {
     path
 }
 
-/// Up to four decimals (0.1 µm), none of them a trailing zero, and no negative zero.
+/// Up to four decimals (0.1 µm).
 fn number(value: f64) -> String {
-    let text = format!("{value:.4}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    if text == "-0" { "0".to_owned() } else { text.to_owned() }
+    trimmed(value, 4)
 }
 
 fn escaped(text: &str) -> String {
