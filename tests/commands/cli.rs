@@ -1,7 +1,5 @@
 //! The headless commands as a user runs them: files in, files out, exit codes.
 
-#![allow(clippy::expect_used, reason = "a test stops where what it needs is not there")]
-
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 

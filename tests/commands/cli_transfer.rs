@@ -1,7 +1,6 @@
 //! `lathe`, `send` and `receive` as a user runs them: two processes and a pseudo-terminal between them.
 
 #![cfg(all(unix, feature = "serial"))]
-#![allow(clippy::expect_used, reason = "a test stops where what it needs is not there")]
 
 use std::io::{BufRead, BufReader};
 use std::path::Path;

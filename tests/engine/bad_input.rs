@@ -1,7 +1,5 @@
 //! Bad input of every kind of file: always a diagnostic with place and value, never a panic, nothing lost.
 
-#![allow(clippy::unwrap_used, reason = "a test that cannot set up its files fails")]
-
 use std::fs;
 use std::path::{Path, PathBuf};
 use turnwright::diagnostic::{Diagnostic, Place};

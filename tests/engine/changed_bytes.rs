@@ -1,8 +1,6 @@
 //! Programs with changed bytes: the published listing of the roll and our own programs for every control. Nothing panics, and
 //! a word that the control does not know is reported with its block.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use proptest::prelude::*;
 use proptest::sample::Index;
 use std::sync::{Arc, LazyLock};

@@ -1,7 +1,5 @@
 //! Which blocks cut which row of the published parts.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::sync::Arc;
 use turnwright::cancel::Cancel;
 use turnwright::document::{Content, Document};

@@ -1,8 +1,5 @@
 //! The published program of a form-roll for the Fanuc 6T (Wong 1983, Fig. 8.31 a): its moves, posted again, give its text.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
-#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "sequence numbers")]
-
 use crate::words_scan::listing::{LISTING, path_of_listing};
 use crate::words_scan::{Word, scan};
 use turnwright::machine::{Catalog, Machine};

@@ -3,9 +3,6 @@
 //! Runs where `rs274` is installed (package linuxcnc-uspace) and says so where it is not. Programs of other controls are
 //! put into LinuxCNC's words first.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
-#![allow(clippy::print_stdout, clippy::panic, reason = "says what was judged, and stops where the judge objects")]
-
 use crate::words_scan::listing::path_of_listing;
 use crate::words_scan::paths::{Wanted, all_sorts, compare, finish_with_recipe, thread_with_recipe, wanted};
 use crate::words_scan::read::{Step, read};

@@ -3,6 +3,10 @@
 //!
 //! One program for all, since each test program carries the whole library. `cargo test --test engine planner::` runs one file's.
 
+#![allow(clippy::expect_used, clippy::panic, clippy::unwrap_used, reason = "a test fails by panicking")]
+#![allow(clippy::print_stdout, reason = "tables of what was compared are for people to read")]
+#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small whole numbers of the tests")]
+
 mod bad_input;
 mod changed_bytes;
 mod cut_by;

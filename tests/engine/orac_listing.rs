@@ -1,7 +1,5 @@
 //! The published listings of the chess queen and the counts of the master part (Moore 1985, appendices A to D).
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
-
 use crate::support::{master, orac, queen};
 use turnwright::machine::Catalog;
 use turnwright::post::Options;

@@ -1,7 +1,5 @@
 //! What a user changes of the planner's operations: the rest is planned around it, and the proof finds nothing wrong.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
-
 use std::sync::Arc;
 use turnwright::cancel::Cancel;
 use turnwright::document::{Content, Document, OperationEdit, OperationKind, OperationRef, TurnedPart};

@@ -3,13 +3,6 @@
 //!
 //! `cargo test --test engine planned_against_published:: -- --nocapture` prints the table.
 
-#![allow(
-    clippy::unwrap_used,
-    clippy::panic,
-    clippy::print_stdout,
-    reason = "a test may stop at what cannot be, and shows"
-)]
-
 use std::path::Path;
 use std::sync::Arc;
 use turnwright::cancel::Cancel;

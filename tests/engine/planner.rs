@@ -1,8 +1,6 @@
 //! The planner against the published generator, and what it promises for the shipped examples: judged by the proof of the
 //! programs' text.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
-
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use std::sync::Arc;

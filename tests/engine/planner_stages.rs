@@ -1,7 +1,5 @@
 //! The planner's stages beside turning outside: facing, bores, threads, parting off. Judged by the proof of the programs' text.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
-
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use std::sync::Arc;

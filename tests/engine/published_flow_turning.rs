@@ -2,8 +2,6 @@
 //!
 //! `cargo test --test engine published_flow_turning:: -- --nocapture` prints how many were compared, equal and wrapped.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at once")]
-
 use serde_json::Value;
 use std::collections::BTreeMap;
 use turnwright::spinning::published::{

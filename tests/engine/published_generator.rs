@@ -1,8 +1,6 @@
 //! What the published generator promises for every part: it never cuts into the part, every operation begins and ends at
 //! the datum, and the finishing passes end on the contour.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
-
 use crate::support::{Part, master, orac, queen, stepped};
 use proptest::prelude::*;
 use turnwright::diagnostic::has_errors;

@@ -1,7 +1,5 @@
 //! Regeneration: what an edit reruns, and that a result always comes.
 
-#![allow(clippy::expect_used, reason = "a test stops where what it needs is not there")]
-
 use std::sync::Arc;
 use turnwright::cancel::Cancel;
 use turnwright::document::{Content, Document, TurnedPart};

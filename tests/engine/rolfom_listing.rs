@@ -3,8 +3,6 @@
 //! The top roll's listing is compared move by move and, posted, block by block; `cargo test --test engine rolfom_listing:: --
 //! --nocapture` prints the table. Of the bottom roll's program the block numbers and values that the description of the rules quotes are checked.
 
-#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may stop at what cannot be")]
-
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use turnwright::diagnostic::Severity;

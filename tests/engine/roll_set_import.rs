@@ -1,12 +1,5 @@
 //! The published inputs of section 1470b become a set of form-rolls, by the library and by the command.
 
-#![allow(
-    clippy::expect_used,
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "a test stops where what it needs is not there"
-)]
-
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use turnwright::document::{Content, DevelopedWidth, Document, Origin, RollSet};

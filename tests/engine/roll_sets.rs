@@ -1,7 +1,5 @@
 //! The example sets of form-rolls: every roll is designed, planned and proved.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use std::sync::Arc;
 use turnwright::cancel::Cancel;
 use turnwright::diagnostic::has_errors;

@@ -1,7 +1,5 @@
 //! The shipped shells from document to proved program and tables.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at once")]
-
 use std::sync::Arc;
 use turnwright::cancel::Cancel;
 use turnwright::diagnostic::has_errors;

@@ -1,7 +1,5 @@
 //! Programs of every word-address control, read again by a scanner of their own, make the moves of the path.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
-
 use crate::words_scan::paths::{
     CUT, all_sorts, compare, finish_with_recipe, operation, rough_and_finish_with_recipes, thread_with_recipe, wanted,
 };

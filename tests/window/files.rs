@@ -1,7 +1,5 @@
 //! Files and the window: dropping one, opening one by a typed path, and closing with unsaved work.
 
-#![allow(clippy::unwrap_used, reason = "a test may fail loudly")]
-
 use crate::common::Window;
 use egui::{DroppedFile, Event, Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
 use std::path::{Path, PathBuf};

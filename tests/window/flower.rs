@@ -1,12 +1,5 @@
 //! Cross-section, flower and charts of a set of form-rolls in the window.
 
-#![allow(
-    clippy::expect_used,
-    clippy::unwrap_used,
-    clippy::panic,
-    reason = "a test stops where what it needs is not there"
-)]
-
 use crate::common::Window;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2};
 use egui_kittest::kittest::{NodeT, Queryable};

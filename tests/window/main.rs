@@ -1,6 +1,7 @@
 //! What a person does in the window, and what becomes of document, files and picture; drawn without a GPU.
 
 #![cfg(feature = "gui")]
+#![allow(clippy::expect_used, clippy::panic, clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod bore;
 mod common;

@@ -2,8 +2,6 @@
 //!
 //! `WINDOW_PICTURES=FOLDER cargo test --test window plan::` writes pictures to a folder.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
-
 use crate::common::Window;
 use egui::{Event, Key, Modifiers};
 use turnwright::document::{OperationKind, PlanEdits};

@@ -1,7 +1,5 @@
 //! The roll editor: choosing a corner in the plot, preparing a chamfer, making it and taking it back.
 
-#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
-
 use crate::common::Window;
 use egui::{Modifiers, PointerButton, pos2};
 use egui_kittest::kittest::Queryable;

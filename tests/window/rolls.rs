@@ -2,8 +2,6 @@
 //!
 //! `UPDATE_SCREENSHOTS=1 cargo test --test window rolls::` draws the picture in `screenshots/` anew.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
-
 use crate::common::Window;
 use turnwright::app::Action;
 use turnwright::document::{Content, EditAction, RollKind, RollRef};

@@ -2,8 +2,6 @@
 //!
 //! `WINDOW_PICTURES=FOLDER cargo test --test window shell::` writes the pictures to a folder.
 
-#![allow(clippy::panic, reason = "a test fails by panicking")]
-
 use crate::common::Window;
 use egui::Key;
 use egui_kittest::kittest::Queryable;

@@ -1,13 +1,6 @@
 //! Every fault of a transfer ends in an outcome that tells of it: none in a silent success, none in a hang.
 //!
 //! `cargo test --test commands transfer_faults:: -- --nocapture` prints the fault table.
-#![allow(
-    clippy::unwrap_used,
-    clippy::expect_used,
-    clippy::panic,
-    clippy::print_stdout,
-    reason = "helpers of tests fail like tests, and the fault table is printed"
-)]
 
 use std::io;
 use std::thread;

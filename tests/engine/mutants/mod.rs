@@ -5,9 +5,6 @@
 //!
 //! All of them: `cargo test --no-default-features --test engine mutants:: -- --ignored --nocapture`.
 
-#![allow(clippy::print_stdout, reason = "the table of mutants is for people to read")]
-#![allow(clippy::unwrap_used, clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a test")]
-
 mod mutate;
 mod parts;
 mod shape;

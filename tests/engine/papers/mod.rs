@@ -1,8 +1,5 @@
 //! Papers are read back from their files by readers that share nothing with the writers, and compared with pages and part.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, reason = "a test stops at what cannot be")]
-#![allow(clippy::panic, clippy::print_stdout, reason = "says what was not judged, and stops where a file is wrong")]
-
 mod dxf;
 mod hpgl;
 mod pdf;

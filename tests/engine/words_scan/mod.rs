@@ -1,8 +1,6 @@
 //! A scanner of word-address blocks that shares nothing with the program: letters and numbers, comments left out.
 
 #![allow(dead_code, reason = "not every test file needs all of it")]
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
-#![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "numbers of G codes and tools")]
 
 pub(crate) mod listing;
 pub(crate) mod paths;
