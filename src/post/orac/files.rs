@@ -20,7 +20,8 @@ pub struct InstructionFile {
 /// The files of `path` in order of cutting; air is crossed at `rapid_mm_per_min`.
 ///
 /// File 1 is right-hand roughing and begins with the format, the unit and the datum; file 2 is right-hand finishing; file 3
-/// is empty, as in both published parts; the other operations follow. The last file ends with the end instruction. Without
+/// is empty, as in both published parts; the other operations follow. A path that begins with another operation has no empty
+/// file, for the first one begins every program. The last file ends with the end instruction. Without
 /// operations there are no files.
 #[must_use]
 pub fn files(path: &CutterPath, rapid_mm_per_min: f64) -> Vec<InstructionFile> {
@@ -44,7 +45,7 @@ pub fn files(path: &CutterPath, rapid_mm_per_min: f64) -> Vec<InstructionFile> {
     if let Some(last) = files.last_mut() {
         last.instructions.push(Instruction::End);
     }
-    if after_right < files.len() {
+    if (1..files.len()).contains(&after_right) {
         let unused = InstructionFile { number: 0, operation: None, operation_index: None, instructions: Vec::new() };
         files.insert(after_right, unused);
     }

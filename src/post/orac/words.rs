@@ -56,6 +56,22 @@ impl Place {
     }
 }
 
+/// How far the middle of an arc may lie from where the path has it, mm: half of the control's smallest step.
+const OFF_MIDDLE_MM: f64 = 0.0005;
+
+/// Radius of an arc of less than half a turn between rounded ends: that of the path, or where this would move the middle of the
+/// arc by more than the rounding of a number, the one that keeps the middle. With the height h of the middle over the chord c it
+/// is (c²/4 + h²) / 2h.
+fn radius_over(start: Point, end: Point, center: Point, radius: f64) -> f64 {
+    let half = start.distance(end) / 2.0;
+    let outwards = (start - center).normalize() + (end - center).normalize();
+    let middle = center + outwards.normalize() * radius;
+    let wanted = (middle - start).perp(&(end - start)).abs() / (2.0 * half);
+    let kept = radius - ((radius - half) * (radius + half)).max(0.0).sqrt();
+    let over = (half * half + wanted * wanted) / (2.0 * wanted);
+    if (wanted - kept).abs() > OFF_MIDDLE_MM && over.is_finite() { over } else { radius }
+}
+
 struct Writer {
     zero_z: f64,
     at: Place,
@@ -89,7 +105,7 @@ impl Writer {
             }
             CutMove::Arc { to, center, ccw, cut } => {
                 self.rpm = cut.rpm_at(to.r);
-                self.arc(to, to.distance(center), ccw, cut.mm_per_min_at(to.r), self.rpm);
+                self.arc(to, center, ccw, cut.mm_per_min_at(to.r), self.rpm);
             }
             CutMove::Dwell { seconds } => self.out.push(Instruction::Dwel { time: thousandths(seconds) }),
             // The control has no single threading pass; the post refuses such a path.
@@ -109,13 +125,20 @@ impl Writer {
         }
     }
 
+    /// A rounded place in part space.
+    fn part(&self, place: Place) -> Point {
+        Point::new(f64::from(place.z) / 1000.0 + self.zero_z, f64::from(place.x) / 1000.0)
+    }
+
     fn point_to_point(&mut self, x: i32, z: i32, feed: f64, rpm: f64) {
         self.out.push(Instruction::Ptp { x, z, feed: rounded(feed), tool: self.tool, rpm: rounded(rpm) });
     }
 
     /// An arc; one that rounding leaves without length is a move of zero. The radius is never below half the chord.
-    fn arc(&mut self, to: Point, radius: f64, ccw: bool, feed: f64, rpm: f64) {
+    fn arc(&mut self, to: Point, center: Point, ccw: bool, feed: f64, rpm: f64) {
+        let from = self.at;
         let Place { x, z } = self.advance(to);
+        let radius = radius_over(self.part(from), self.part(self.at), center, to.distance(center));
         if (x, z) == (0, 0) {
             return self.point_to_point(x, z, feed, rpm);
         }

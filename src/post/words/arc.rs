@@ -8,8 +8,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 /// An arc whose ends are no more than this many counts apart on either axis has no centre worth writing: a line.
 const VANISHING_COUNTS: f64 = 2.0;
 
-/// Distance of chords from an arc whose radius or centre the control cannot take, counts.
-const CHORD_COUNTS: f64 = 0.5;
+/// Distance of chords from an arc whose radius or centre the control cannot take, counts: with the rounding of their ends, half a
+/// count on either axis, they stay within one.
+const CHORD_COUNTS: f64 = 0.25;
 
 /// Most chords that one arc becomes.
 const MOST_CHORDS: f64 = 10_000.0;
