@@ -46,7 +46,9 @@ pub(super) fn played(path: &Segment, drive: &Drive, tool: u32, machine: &Machine
         Feed::PerRev(per_rev) if per_rev > 0.0 => feed / per_rev,
         _ => drive.speed.rpm_at(middle),
     };
-    let motion = if machine.counts_as_rapid(feed) { Motion::Rapid } else { Motion::Feed };
+    // By the feed that is written: the mean of a whole way is that but for its last digit.
+    let rapid = machine.counts_as_rapid(feed.max(drive.feed_at(middle)));
+    let motion = if rapid { Motion::Rapid } else { Motion::Feed };
     Played { path: *path, motion, tool, feed, rpm, lasts_s }
 }
 
