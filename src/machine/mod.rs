@@ -26,7 +26,7 @@ pub use serial::{
     ReaderPunch, SerialProfile, WrongKey,
 };
 pub use spindle::{SpeedRule, Spindle, SpindleRange};
-pub use tool::{Hand, Shank, Tool, ToolShape};
+pub use tool::{Hand, PECKS_FROM, Shank, Tool, ToolShape};
 pub use words::{
     ArcCenter, ClampWord, Codes, Comments, DecimalPoint, Digits, DwellWord, Preset, ProgramNumber, SequenceNumbers,
     SpeedCode, ThreadAngle, ThreadWord, ToolWord, Words, Zeros,

@@ -3,6 +3,14 @@
 use super::{ToolKind, ToolMaterial};
 use serde::{Deserialize, Serialize};
 
+/// Depth of a hole in diameters that a drill makes in one go where its file does not say: what text books give for twist drills of
+/// high-speed steel (guide value).
+pub const PECKS_FROM: f64 = 3.0;
+
+const fn pecks_from() -> f64 {
+    PECKS_FROM
+}
+
 /// A turning tool with its insert and holder, as read from a tool file. Lengths in mm, angles in degrees.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -126,6 +134,9 @@ pub enum ToolShape {
         point_angle: f64,
         /// Length from the tip that stands out of its holder.
         length: f64,
+        /// Depth of a hole in diameters from which on the drill is drawn out again and again to clear its chips.
+        #[serde(default = "pecks_from")]
+        pecks_from: f64,
     },
     /// Any outline.
     Outline {

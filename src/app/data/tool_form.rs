@@ -65,7 +65,12 @@ pub(super) fn kind(tool: &Value) -> &str {
 const ISO: &[Field] = &[plain("shape.insert", "Insert", Is::Text), plain("shape.holder", "Holder", Is::Text)];
 const POINTED: &[Field] = &[HAND, NOSE, CORNER, APPROACH, EDGE];
 const PARTING: &[Field] = &[HAND, WIDTH, NOSE, figure("shape.depth", "Depth", "mm"), INSIDE];
-const DRILL: &[Field] = &[DIAMETER, figure("shape.point_angle", "Point", "°"), figure("shape.length", "Length", "mm")];
+const DRILL: &[Field] = &[
+    DIAMETER,
+    figure("shape.point_angle", "Point", "°"),
+    figure("shape.length", "Length", "mm"),
+    figure("shape.pecks_from", "Pecks from", "diameters"),
+];
 const INTERFERENCE: &[Field] =
     &[HAND, NOSE, WIDTH, figure("shape.angle", "Flank", "°"), figure("shape.margin", "Margin", "mm")];
 const OUTLINE: &[Field] = &[
@@ -165,7 +170,7 @@ fn first_shape(kind: &str) -> Value {
         "parting" => {
             json!({"kind": kind, "hand": "right", "width": 3.0, "nose_radius": 0.1, "depth": 20.0, "inside": false})
         }
-        "drill" => json!({"kind": kind, "diameter": 12.0, "point_angle": 140.0, "length": 80.0}),
+        "drill" => json!({"kind": kind, "diameter": 12.0, "point_angle": 140.0, "length": 80.0, "pecks_from": 3.0}),
         "outline" => {
             json!({"kind": kind, "use": "turning", "orientation": 3, "nose_radius": 0.4,
                    "corners": [[0.0, 0.0], [10.0, 4.0], [10.0, 12.0], [1.0, 12.0]], "cuts": []})

@@ -44,7 +44,10 @@ fn shape(check: &mut Check, shape: &ToolShape) {
         }
         ToolShape::Button { diameter } => check.range("shape.diameter", diameter, 0.1..=100.0, "mm"),
         ToolShape::Parting { width, nose_radius, depth, .. } => blade(check, width, nose_radius, depth),
-        ToolShape::Drill { diameter, point_angle, length } => drill(check, diameter, point_angle, length),
+        ToolShape::Drill { diameter, point_angle, length, pecks_from } => {
+            drill(check, diameter, point_angle, length);
+            check.range("shape.pecks_from", pecks_from, 0.1..=1000.0, "diameters");
+        }
         ToolShape::Outline { orientation, nose_radius, ref corners, ref cuts, .. } => {
             free(check, orientation, nose_radius, corners, cuts);
         }

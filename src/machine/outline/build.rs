@@ -51,8 +51,9 @@ pub(super) fn built(tool: &Tool) -> Option<ToolOutline> {
                 if inside { ToolOutline { kind: ToolKind::BoreGrooving, ..blade.upside_down() } } else { blade };
             turned.of_hand(hand)
         }
-        ToolShape::Drill { diameter, point_angle, length } => ToolOutline {
+        ToolShape::Drill { diameter, point_angle, length, pecks_from } => ToolOutline {
             holder: holder::drill_sleeve(diameter, length),
+            pecks_from,
             ..insert::drill(diameter, point_angle, length)
         },
         ToolShape::Outline { purpose, orientation, nose_radius, ref corners, ref cuts } => {

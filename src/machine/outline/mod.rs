@@ -41,6 +41,10 @@ pub struct ToolOutline {
     /// For every segment of [`Self::insert`]: it is an edge that cuts.
     #[serde(default)]
     pub cutting: Vec<bool>,
+    /// Of drills: depth of a hole in diameters from which on the drill is drawn out again and again to clear its chips; 0 where
+    /// nothing is known, which stands for [`PECKS_FROM`](super::PECKS_FROM).
+    #[serde(default)]
+    pub pecks_from: f64,
 }
 
 /// What a tool is for.
@@ -184,6 +188,7 @@ impl ToolOutline {
             nose_center,
             orientation,
             cutting: self.cutting.iter().rev().copied().collect(),
+            pecks_from: self.pecks_from,
         }
     }
 

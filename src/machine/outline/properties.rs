@@ -265,7 +265,7 @@ fn other() -> impl Strategy<Value = (ToolShape, Option<Shank>)> {
             (ToolShape::Copying { nose_radius, corner_angle, edge_length }, shank)
         }),
         (3.0..40.0, 90.0..140.0).prop_map(|(diameter, point_angle): (f64, f64)| {
-            (ToolShape::Drill { diameter, point_angle, length: 5.0 * diameter }, None)
+            (ToolShape::Drill { diameter, point_angle, length: 5.0 * diameter, pecks_from: 3.0 }, None)
         }),
     ]
 }

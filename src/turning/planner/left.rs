@@ -34,7 +34,8 @@ pub(super) fn measure(work: &Work, contour: &PartContour) -> Vec<Left> {
         let here = segments.iter().zip(ids).skip(first).take_while(|(s, _)| s.start().z <= run.z1 + SAME_MM);
         for (segment, &section) in here {
             for at in places(segment, &run) {
-                let height = height_over(&stock, Point::new(at.z.clamp(run.z0, run.z1), at.r));
+                let open = (work.end_z() - at.z).max(0.0);
+                let height = height_over(&stock, Point::new(at.z.clamp(run.z0, run.z1), at.r)).min(open);
                 let row = rows.entry(section).or_insert(Left { section, height, at });
                 if height > row.height {
                     *row = Left { section, height, at };

@@ -281,19 +281,29 @@ impl<'a> Order<'a> {
         }
     }
 
+    /// Says which kinds of tools are missing outside.
     fn missing(&mut self, setup: &Setup) {
+        if self.lacks_turning() {
+            self.lacks("turning-tool-missing", "an outside to be turned", "turning tool");
+        }
         if !setup.threads.is_empty() && !self.cutters.iter().any(|c| c.r#use == Use::Thread) {
-            self.lacks("a thread", "threading tool");
+            self.lacks("threading-tool-missing", "a thread", "threading tool");
         }
         if setup.part_off_width.is_some() && self.blades().is_empty() {
-            self.lacks("to be parted off", "parting blade");
+            self.lacks("blade-missing", "to be parted off", "parting blade");
         }
     }
 
-    /// Says that a tool is missing.
-    fn lacks(&mut self, what: &str, tool: &str) {
+    /// True if something is left on a surface, and no tool is there that follows one.
+    fn lacks_turning(&self) -> bool {
+        let turns = |c: &Cutter| matches!(c.r#use, Use::Right | Use::Left);
+        self.diagnostics.iter().any(|d| d.code == "not-reached") && !self.cutters.iter().any(turns)
+    }
+
+    /// Says that a tool is missing; every kind has a code of its own, for several may be missing.
+    fn lacks(&mut self, code: &'static str, what: &str, tool: &str) {
         let message = format!("The part has {what}, and {} has no {tool} in its turret.", self.machine.name);
-        let said = Diagnostic::warning("tool-missing", Place::Document, message);
+        let said = Diagnostic::warning(code, Place::Document, message);
         self.diagnostics.push(said.with_hint("Add the tool to the machine."));
     }
 }

@@ -219,9 +219,17 @@ impl<'a> Inside<'a> {
     /// Says what is left, and what could not be made for want of a tool.
     pub(super) fn end(mut self, outside: &mut Order<'a>, setup: &Setup) {
         self.order.left(&self.bore.contour);
+        if self.order.is_solid(&self.bore, self.bore.from_z) {
+            let none = drills(self.order.task).is_empty();
+            let drill = if none { "drill" } else { "drill that fits into it" };
+            self.order.lacks("drill-missing", "a bore in solid stock", drill);
+        }
+        if self.order.lacks_turning() {
+            self.order.lacks("boring-bar-missing", "a bore to be turned", "boring bar");
+        }
         let has_bar = self.order.cutters.iter().any(|c| c.r#use == Use::Thread);
         if !setup.bore_threads.is_empty() && !has_bar {
-            self.order.lacks("a thread in its bore", "threading bar");
+            self.order.lacks("threading-bar-missing", "a thread in its bore", "threading bar");
         }
         outside.diagnostics.append(&mut self.order.diagnostics);
     }

@@ -1,4 +1,5 @@
-//! Facing: the material beyond the free end is cut away square to the spindle.
+//! Facing: the material beyond the free end is cut away square to the spindle, to the axis, or between centres as far as the
+//! tailstock's centre lets the tool.
 
 use super::Order;
 use crate::diagnostic::{Diagnostic, Place};
@@ -7,7 +8,6 @@ use crate::part::Setup;
 use crate::turning::OperationKind;
 use crate::turning::planner::link::{CLEARANCE_MM, go};
 use crate::turning::planner::tool::{Cutter, Use};
-use crate::turning::planner::work::AXIS_OVERSHOOT_MM;
 
 /// Material beyond the end up to this is none, mm.
 const FACE_WORTH_MM: f64 = 0.002;
@@ -32,10 +32,13 @@ impl Order<'_> {
             return;
         }
         let Some(facing) = self.facing_tool(setup, chosen) else {
-            self.diagnostics.push(not_faced(setup, over, &self.machine.name));
+            self.diagnostics.push(not_faced(over, &self.machine.name));
             return;
         };
         let Facing { cutter, left, to_r } = facing;
+        if setup.tailstock.is_some() {
+            self.diagnostics.push(faced_to_the_centre(over, to_r + cutter.nose));
+        }
         let Some(conditions) = self.conditions(OperationKind::Face, cutter.station) else { return };
         let most = if conditions.depth > 0.0 { conditions.depth } else { over };
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 1..=MOST_CUTS")]
@@ -51,8 +54,8 @@ impl Order<'_> {
                 path.rapid(start);
             }
             path.line(Point::new(z, to_r));
-            path.rapid(Point::new(z + CLEARANCE_MM, to_r));
-            path.rapid(Point::new(z + CLEARANCE_MM, above));
+            // Back beside the cut: what the slanting flank leaves at the middle stands in front of the face.
+            go(&mut path, Point::new(z + CLEARANCE_MM, above));
         }
         self.add(OperationKind::Face, &cutter, path);
     }
@@ -62,35 +65,48 @@ impl Order<'_> {
         self.facing_tool(setup, None).map_or(0, |facing| facing.cutter.station)
     }
 
-    /// The chosen tool, or the first, that can go down along the finished face to the axis or the hole.
+    /// The chosen tool, or the first, that can go down along the finished face to the axis or the hole, or as far as the
+    /// tailstock's centre lets it.
     fn facing_tool(&self, setup: &Setup, chosen: Option<u32>) -> Option<Facing> {
-        if setup.tailstock.is_some() {
-            return None;
-        }
-        let hole = setup.stock.bounds().map_or(0.0, |b| b.min.r);
-        let right = self.cutters.iter().filter(|c| c.r#use == Use::Right);
-        right.filter(|c| chosen.is_none_or(|station| c.station == station)).find_map(|cutter| {
+        let right = self.cutters.iter().filter(|c| c.r#use == Use::Right && !c.turned && c.square);
+        let mut able = right.filter(|c| chosen.is_none_or(|station| c.station == station));
+        able.find_map(|cutter| {
             let outline = self.task.tools.get(&cutter.station).filter(|o| o.cuts_face())?;
             let left = outline.insert.bounds()?.min.z;
-            let over = cutter.nose.min(AXIS_OVERSHOOT_MM);
-            let to_r = if hole > 0.0 { (hole - cutter.nose - CLEARANCE_MM).max(-over) } else { -over };
             let z = setup.length - left;
-            let low = self.work.limit(cutter, 0.0).chain.highest(z + FACE_WORTH_MM / 2.0, z + CLEARANCE_MM);
-            (low <= to_r + FACE_WORTH_MM).then(|| Facing { cutter: cutter.clone(), left, to_r })
+            let limit = cutter.body.over(&self.work.part.max(&self.work.jaws));
+            let to_r = if setup.tailstock.is_some() {
+                let low = limit.highest(z + FACE_WORTH_MM / 2.0, self.work.end_z() - left + CLEARANCE_MM);
+                Some(low).filter(|low| low + cutter.nose < self.work.top() - FACE_WORTH_MM)
+            } else {
+                let low = limit.highest(z + FACE_WORTH_MM / 2.0, z + CLEARANCE_MM);
+                Some(past_the_middle(setup, cutter)).filter(|to_r| low <= to_r + FACE_WORTH_MM)
+            };
+            to_r.map(|to_r| Facing { cutter: cutter.clone(), left, to_r })
         })
     }
 }
 
-fn not_faced(setup: &Setup, over: f64, machine: &str) -> Diagnostic {
-    let message = if setup.tailstock.is_some() {
-        format!("The {over:.3} mm beyond the free end cannot be faced: the tailstock's centre stands there.")
-    } else {
-        format!("No tool of {machine} can face the {over:.3} mm beyond the free end down to the axis.")
-    };
-    let hint = if setup.tailstock.is_some() {
-        "Face the end before it is centred, and set the facing allowance to 0."
-    } else {
-        "Add a right-hand turning tool whose front edge leans away from the face."
-    };
-    Diagnostic::warning("not-faced", Place::Stock, message).with_hint(hint)
+/// Where the programmed point ends so that nothing is left in the middle: the side of the nose that faces has come to the axis, or
+/// is through the wall of the hole.
+fn past_the_middle(setup: &Setup, cutter: &Cutter) -> f64 {
+    let hole = setup.stock.bounds().map_or(0.0, |b| b.min.r);
+    let through = if hole > 0.0 { hole - CLEARANCE_MM } else { 0.0 };
+    through.max(0.0) - cutter.nose
+}
+
+fn not_faced(over: f64, machine: &str) -> Diagnostic {
+    let message = format!("No tool of {machine} can face the {over:.3} mm beyond the free end down to the axis.");
+    Diagnostic::warning("not-faced", Place::Stock, message)
+        .with_hint("Add a right-hand turning tool whose front edge leans away from the face.")
+}
+
+/// Between centres a stub stays around the centre.
+fn faced_to_the_centre(over: f64, radius: f64) -> Diagnostic {
+    let message = format!(
+        "The free end is faced down to a diameter of {:.3} mm; a stub {over:.3} mm long stays around the tailstock's centre.",
+        2.0 * radius
+    );
+    Diagnostic::warning("not-faced", Place::Stock, message)
+        .with_hint("To have none, face the end in the chuck before it is centred, and set the facing allowance to 0.")
 }

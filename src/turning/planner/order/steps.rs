@@ -50,10 +50,10 @@ impl Order<'_> {
             }
         }
         self.left(contour);
+        self.missing(setup);
         if let Some(inside) = inside {
             inside.end(self, setup);
         }
-        self.missing(setup);
     }
 
     /// What the planner does outside, but for threads and parting off.
