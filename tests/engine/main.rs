@@ -10,14 +10,17 @@
 mod bad_input;
 mod changed_bytes;
 mod cut_by;
+mod facing;
 mod fanuc_listing;
 mod linuxcnc_judge;
 mod mutants;
 mod orac_listing;
 mod papers;
+mod pecking;
 mod plan_edits;
 mod planned_against_published;
 mod planner;
+mod planner_sets;
 mod planner_stages;
 mod published_flow_turning;
 mod published_generator;
