@@ -203,6 +203,9 @@ pub(crate) fn select_all(ui: &Ui, id: Id, text: &str) {
     TextEdit::store_state(ui.ctx(), id, state);
 }
 
+/// Height of a list of choices, beyond which it is scrolled, points.
+const MENU: f32 = 420.0;
+
 /// A list of choices behind a button with the present one on it. Gives the new choice when there is one.
 pub(crate) fn choice<T: PartialEq + Clone>(
     ui: &mut Ui,
@@ -233,12 +236,14 @@ pub(crate) fn choice<T: PartialEq + Clone>(
     ui.painter().add(egui::Shape::convex_polygon(arrow, colors.plot.quiet, Stroke::NONE));
     let mut chosen = None;
     egui::Popup::menu(&response).width(width).show(|ui| {
-        for (value, text) in all {
-            if ui.selectable_label(value == present, text).clicked() {
-                chosen = Some(value.clone());
-                ui.close();
+        egui::ScrollArea::vertical().max_height(MENU).show(ui, |ui| {
+            for (value, text) in all {
+                if ui.selectable_label(value == present, text).clicked() {
+                    chosen = Some(value.clone());
+                    ui.close();
+                }
             }
-        }
+        });
     });
     chosen.filter(|value| value != present)
 }

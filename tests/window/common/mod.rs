@@ -65,11 +65,12 @@ impl Window {
         self.desk().session_mut().expect("a document is open")
     }
 
-    /// Runs frames until `done`, for at most half a minute.
+    /// Runs frames until `done`, for at most half a minute, or as many seconds as `WINDOW_PATIENCE` names on a slow machine.
     pub fn until(&mut self, what: &str, done: impl Fn(&Desk) -> bool) {
         let start = Instant::now();
+        let patience = std::env::var("WINDOW_PATIENCE").ok().and_then(|seconds| seconds.parse().ok()).unwrap_or(30);
         while !self.harness.state().as_ref().is_some_and(&done) {
-            assert!(start.elapsed() < Duration::from_secs(30), "waited in vain until {what}");
+            assert!(start.elapsed() < Duration::from_secs(patience), "waited in vain until {what}");
             std::thread::sleep(Duration::from_millis(5));
             self.harness.step();
         }
@@ -95,13 +96,20 @@ impl Window {
 
     /// A window with a file of the project, regenerated.
     pub fn with_file(name: &str) -> Self {
+        let mut window = Self::with_design_of(name);
+        window.until_current();
+        window.harness.run_steps(3);
+        window
+    }
+
+    /// A window with a file of the project, of which a set of form-rolls is designed, though its rolls may be in the making.
+    pub fn with_design_of(name: &str) -> Self {
         let mut window = Self::open();
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
         let ctx = window.harness.ctx.clone();
         window.desk().act(&ctx, Action::Open(path));
         window.until("opened", |desk| desk.session().is_some());
-        window.until_current();
-        window.harness.run_steps(3);
+        window.until("designed", |desk| desk.session().is_some_and(Session::is_designed));
         window
     }
 

@@ -124,6 +124,15 @@ impl Picture {
         self.pixels[index] = Color32::from_rgb(over(r, under.r()), over(g, under.g()), over(b, under.b()));
     }
 
+    /// The pixels within a rectangle, at one pixel a point.
+    pub fn part(&self, rect: Rect) -> Vec<Color32> {
+        let within =
+            |from: f32, to: f32, most: usize| (from.max(0.0) as usize).min(most)..(to.max(0.0) as usize).min(most);
+        let columns = within(rect.left(), rect.right(), self.width);
+        let rows = within(rect.top(), rect.bottom(), self.height);
+        rows.flat_map(|row| self.pixels[row * self.width..][columns.clone()].iter().copied()).collect()
+    }
+
     /// How many colours there are in it.
     pub fn colors(&self) -> usize {
         self.pixels.iter().collect::<HashSet<_>>().len()

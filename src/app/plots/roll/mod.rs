@@ -53,8 +53,9 @@ pub fn roll_plot(ui: &mut Ui, view: &mut CanvasView, scene: &RollScene<'_>) -> V
     canvas::overlay(ui, view, &canvas, scene.palette);
     let mut events: Vec<RollPlotEvent> = canvas.pointer.map(RollPlotEvent::Pointer).into_iter().collect();
     if let Some(pos) = canvas.response.interact_pointer_pos().filter(|_| canvas.response.clicked()) {
-        events.push(RollPlotEvent::At(canvas.screen.point(pos)));
+        // The element first: a place that was asked for is taken last, so that it chooses no element besides.
         events.extend(nearest(&canvas.screen, scene.elements, pos).map(RollPlotEvent::Clicked));
+        events.push(RollPlotEvent::At(canvas.screen.point(pos)));
     }
     events
 }

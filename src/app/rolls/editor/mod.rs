@@ -2,6 +2,7 @@
 
 mod form;
 mod list;
+mod reuse;
 
 use super::RollsViews;
 use crate::app::desk::Requests;
@@ -75,6 +76,7 @@ pub(super) fn show(
         ui.allocate_ui(vec2(COLUMN, room.y), |ui| {
             ui.vertical(|ui| {
                 ui.set_width(COLUMN);
+                reuse::show(ui, session, set, roll);
                 let chosen = view.chosen;
                 let apply = form::show(ui, &mut view.draft, chosen, document.unit, pending.is_some(), fault.as_deref());
                 if let Some(edit) = pending.filter(|_| apply) {
