@@ -289,6 +289,9 @@ impl Desk {
         if let Some(outcome) = self.transfer.receive() {
             let (text, good) = (outcome.to_string(), outcome.is_good());
             self.toast(&text, good);
+            if let Some((session, (name, text))) = self.session.as_mut().zip(self.transfer.reached()) {
+                session.note_sent(&name, &text);
+            }
         }
         while let Some(written) = self.files.written() {
             self.after_writing(ctx, written);

@@ -2,7 +2,7 @@
 
 use crate::document::{
     BendAngle, Content, CrossSection, DevelopedWidth, Document, Element, ElementKind, Ends, FORMAT_VERSION,
-    FormingLine, Kind, Opening, Origin, Pinch, RollSet, Sharpening, Shell, Station, StripMaterial, TurnedPart,
+    FormingLine, Kind, Opening, Origin, Pinch, Rates, RollSet, Sharpening, Shell, Station, StripMaterial, TurnedPart,
 };
 use crate::part::Section;
 use crate::units::Unit;
@@ -42,7 +42,8 @@ fn channel() -> RollSet {
         station_pitch: 300.0,
         shaft_diameter: 40.0,
         side_shaft_diameter: 30.0,
-        gear_ratio: 1.0,
+        gear_ratio: None,
+        bottom_rpm: None,
         drawn_gap: 0.0,
     };
     RollSet {
@@ -63,6 +64,7 @@ fn channel() -> RollSet {
         line: shafts,
         stations: (1..).zip(CHANNEL_DEG).map(|(id, angle_deg)| station(id, angle_deg, &shafts)).collect(),
         form_tolerance: 0.05,
+        rates: Rates::default(),
         rolls: Vec::new(),
     }
 }

@@ -17,8 +17,8 @@ pub use program::ProgramChoices;
 pub use roll_set::{
     BendAngle, Composite, CrossSection, DevelopedWidth, DriveSurface, EditAction, Element, ElementKind, ElementName,
     ExtensionContour, ExtensionKind, Face, FixedComposite, FormingLine, NewElement, Opening, Origin, PieceKind, Pinch,
-    RollCopy, RollEdit, RollKind, RollPoint, RollRef, RollSet, RollWork, Sharpening, Side, SideEnd, SideRoll, Station,
-    StripMaterial, TangentSide,
+    Rates, RollCopy, RollEdit, RollKind, RollPoint, RollRef, RollSet, RollWork, Sharpening, Side, SideEnd, SideRoll,
+    Station, StripMaterial, TangentSide, fingerprint,
 };
 use row::{EndsRow, ParabolaCutRow};
 use serde::{Deserialize, Serialize};

@@ -36,32 +36,65 @@ pub struct RollLine {
     pub roll_kg: Option<f64>,
     /// Machining time, s; absent without a proof of the roll as it is designed.
     pub time_s: Option<f64>,
-    /// Cost of blank and machining; absent where rates or prices are not known.
-    pub cost: Option<f64>,
+    /// Cost of the blank; absent without density or price.
+    pub blank_cost: Option<f64>,
+    /// Cost of machine and operator for the machining time; absent without rates or time.
+    pub machining_cost: Option<f64>,
     /// Currency of the cost.
     pub currency: String,
     /// True if its programs passed their proofs.
     pub proved: bool,
 }
 
+impl RollLine {
+    /// Cost of machining and, as far as it is known, of the blank; setting up is not in it.
+    #[must_use]
+    pub fn cost(&self) -> Option<f64> {
+        Some(self.machining_cost? + self.blank_cost.unwrap_or(0.0))
+    }
+}
+
+/// Prices: those of the set, else those of its machine and material.
+struct Prices {
+    per_hour: Option<f64>,
+    per_kg: Option<f64>,
+    currency: String,
+    kg_per_dm3: Option<f64>,
+}
+
+impl Prices {
+    fn of(derived: &Derived) -> Self {
+        let own = derived.document.content.roll_set().map(|set| set.rates.clone()).unwrap_or_default();
+        let machine = derived.machine.as_ref().and_then(|machine| machine.cost.clone());
+        let material = derived.material.as_ref();
+        Self {
+            per_hour: own.machine_per_hour.or(machine.as_ref().map(|cost| cost.machine_per_hour)),
+            per_kg: own.price_per_kg.or(material.and_then(|m| m.price_per_kg)),
+            currency: own.currency.or(machine.map(|cost| cost.currency)).unwrap_or_default(),
+            kg_per_dm3: material.and_then(|m| m.density_kg_per_dm3),
+        }
+    }
+}
+
 /// The rolls of a set, station by station; none of another document.
 #[must_use]
 pub fn roll_lines(derived: &Derived) -> Vec<RollLine> {
     let Some(set) = &derived.rolls else { return Vec::new() };
-    let density = derived.material.as_ref().and_then(|material| material.density_kg_per_dm3);
+    let prices = Prices::of(derived);
     let stations = set.design.stations.iter();
     let rolls = stations.flat_map(|station| station.rolls.iter().map(move |roll| (station.number, roll)));
-    rolls.map(|(number, roll)| line(number, roll, set.of_roll(roll.roll), density)).collect()
+    rolls.map(|(number, roll)| line(number, roll, set.of_roll(roll.roll), &prices)).collect()
 }
 
-fn line(station: usize, roll: &Roll, made: Option<&RollDerived>, density: Option<f64>) -> RollLine {
+fn line(station: usize, roll: &Roll, made: Option<&RollDerived>, prices: &Prices) -> RollLine {
     let part = &roll.part;
     let made = made.filter(|made| made.current);
     let setups = made.map(|made| made.derived.setups.as_slice()).unwrap_or_default();
     let bounds = roll.contour().bounds();
-    let mass = |volume_mm3: f64| density.map(|d| volume_mm3 * 1e-6 * d);
+    let mass = |volume_mm3: f64| prices.kg_per_dm3.map(|d| volume_mm3 * 1e-6 * d);
     let ring = |radius: f64| PI * (radius * radius - (part.stock_bore_diameter / 2.0).powi(2)) * part.length;
-    let costs: Vec<_> = setups.iter().filter_map(|s| s.proof.cost.as_ref()).collect();
+    let time_s = (!setups.is_empty()).then(|| setups.iter().map(|s| s.proof.times.total_s).sum::<f64>());
+    let blank_kg = mass(ring(part.bar_diameter / 2.0));
     RollLine {
         name: roll.name.clone(),
         station,
@@ -71,11 +104,12 @@ fn line(station: usize, roll: &Roll, made: Option<&RollDerived>, density: Option
         width_mm: part.length,
         largest_diameter_mm: bounds.map_or(0.0, |b| 2.0 * b.max.r),
         bore_mm: part.stock_bore_diameter,
-        blank_kg: mass(ring(part.bar_diameter / 2.0)),
+        blank_kg,
         roll_kg: mass(volume_mm3(&roll.contour()) - ring(0.0).abs()),
-        time_s: (!setups.is_empty()).then(|| setups.iter().map(|s| s.proof.times.total_s).sum()),
-        cost: (!costs.is_empty()).then(|| costs.iter().map(|c| c.part).sum()),
-        currency: costs.first().map(|c| c.currency.clone()).unwrap_or_default(),
+        time_s,
+        blank_cost: blank_kg.zip(prices.per_kg).map(|(kg, price)| kg * price),
+        machining_cost: time_s.zip(prices.per_hour).map(|(s, per_hour)| s / 3600.0 * per_hour),
+        currency: prices.currency.clone(),
         proved: made.is_some_and(RollDerived::is_proved),
     }
 }
@@ -92,11 +126,11 @@ fn volume_mm3(contour: &Contour) -> f64 {
 #[must_use]
 pub fn parts_list_csv(lines: &[RollLine]) -> String {
     let head = "roll,station,kind,material,blank diameter mm,width mm,largest diameter mm,bore mm,blank kg,roll kg,time min,\
-                cost,currency,proved\n";
+                blank cost,machining cost,cost,currency,proved\n";
     let optional = |value: Option<f64>, decimals: usize| value.map_or_else(String::new, |v| format!("{v:.decimals$}"));
     let rows = lines.iter().map(|l| {
         format!(
-            "{},{},{},{},{:.3},{:.3},{:.3},{:.3},{},{},{},{},{},{}\n",
+            "{},{},{},{},{:.3},{:.3},{:.3},{:.3},{},{},{},{},{},{},{},{}\n",
             quoted(&l.name),
             l.station,
             l.kind,
@@ -108,7 +142,9 @@ pub fn parts_list_csv(lines: &[RollLine]) -> String {
             optional(l.blank_kg, 3),
             optional(l.roll_kg, 3),
             optional(l.time_s.map(|s| s / 60.0), 2),
-            optional(l.cost, 2),
+            optional(l.blank_cost, 2),
+            optional(l.machining_cost, 2),
+            optional(l.cost(), 2),
             quoted(&l.currency),
             if l.proved { "yes" } else { "no" }
         )
@@ -146,7 +182,11 @@ pub fn parts_list(derived: &Derived) -> Result<Vec<Page>, Diagnostic> {
         return Err(fault.with_hint("Open a set of form-rolls; see what is said about its stations."));
     }
     let mut writer = Writer::titled(format!("Parts list {}", derived.document.name));
-    writer.heading(&format!("Form-rolls {}", derived.document.name), 4.0 * LINE_MM);
+    writer.heading(&format!("Form-rolls {}", derived.document.name), 5.0 * LINE_MM);
+    let currency = lines.first().map(|l| l.currency.as_str()).filter(|c| !c.is_empty());
+    let material = lines.first().map_or("", |l| l.material.as_str());
+    let costs = currency.map_or_else(String::new, |c| format!(", cost in {c} without setting up"));
+    writer.row(&[cell(COLUMNS[0].1, 150.0, format!("material {material}{costs}"))]);
     writer.row(&COLUMNS.map(|(name, z, width)| Cell { ink: super::Ink::Grey, ..column(z, width, name) }));
     writer.rule();
     for line in &lines {
@@ -175,7 +215,7 @@ fn cells(line: &RollLine) -> [Cell<'static>; 9] {
         format!("{:.1}", line.bore_mm),
         optional(line.roll_kg, 2),
         optional(line.time_s.map(|s| s / 60.0), 1),
-        optional(line.cost, 2),
+        optional(line.cost(), 2),
         if line.proved { "proved" } else { "not proved" }.to_owned(),
     ];
     placed(texts)
@@ -192,7 +232,7 @@ fn totals(lines: &[RollLine]) -> [Cell<'static>; 9] {
         none(),
         total(lines.iter().map(|l| l.roll_kg), 1.0, 2),
         total(lines.iter().map(|l| l.time_s), 60.0, 1),
-        total(lines.iter().map(|l| l.cost), 1.0, 2),
+        total(lines.iter().map(RollLine::cost), 1.0, 2),
         format!("{proved} proved"),
     ])
 }

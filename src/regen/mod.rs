@@ -20,7 +20,7 @@ use crate::proof::{ProgramText, ProofReport};
 use crate::turning::CutterPath;
 pub use cache::{Cache, StageRuns};
 pub use operations::{OperationTime, Operations};
-pub use roll_set::{RollDerived, RollSetDerived};
+pub use roll_set::{RollDerived, RollSetDerived, Sent};
 pub use shell::ShellDerived;
 pub use stage::Stage;
 use std::collections::BTreeMap;

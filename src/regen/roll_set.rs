@@ -4,8 +4,9 @@ use super::cache::PartCache;
 use super::{Derived, Stage, Steps, file_stem, turned_part};
 use crate::cancel::{Cancel, Cancelled};
 use crate::diagnostic::{Diagnostic, Place, has_errors};
-use crate::document::{Content, Document, FORMAT_VERSION, RollRef, RollSet};
+use crate::document::{Content, Document, FORMAT_VERSION, RollRef, RollSet, RollWork, fingerprint};
 use crate::machine::Catalog;
+use crate::proof::ProgramText;
 use crate::rollform::flower::Flower;
 use crate::rollform::{self, Roll, RollDesign};
 use crate::units::Unit;
@@ -55,7 +56,41 @@ impl RollDerived {
     }
 }
 
+/// Whether a roll went to the lathe.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Sent {
+    /// Never, or not all of its programs.
+    No,
+    /// All its programs, as they are now.
+    Yes,
+    /// It has changed since.
+    Before,
+}
+
+impl RollDerived {
+    /// Whether the roll went to the lathe as it is now; `work` is what the document says of it.
+    #[must_use]
+    pub fn sent(&self, work: Option<&RollWork>) -> Sent {
+        let Some(noted) = work.map(|work| &work.sent).filter(|sent| !sent.is_empty()) else { return Sent::No };
+        let programs: Vec<_> = self.derived.setups.iter().flat_map(|s| s.programs.iter()).collect();
+        let as_sent = |p: &&ProgramText| noted.get(&p.name).map(|of| *of == fingerprint(&p.text));
+        let told: Vec<Option<bool>> = programs.iter().map(as_sent).collect();
+        match () {
+            () if !self.current || told.is_empty() || told.contains(&Some(false)) => Sent::Before,
+            () if told.iter().all(|t| *t == Some(true)) => Sent::Yes,
+            () => Sent::No,
+        }
+    }
+}
+
 impl RollSetDerived {
+    /// The roll that has a program of this name.
+    #[must_use]
+    pub fn of_program(&self, name: &str) -> Option<&RollDerived> {
+        let has = |r: &&RollDerived| r.derived.setups.iter().flat_map(|s| s.programs.iter()).any(|p| p.name == name);
+        self.rolls.iter().find(has)
+    }
+
     /// The roll that a clamping of the set belongs to.
     #[must_use]
     pub fn of_setup(&self, index: usize) -> Option<&RollDerived> {
@@ -186,7 +221,7 @@ impl Whole<'_> {
             let Some(derived) = &of_roll.last else { continue };
             let first = setups.len();
             setups.extend(derived.setups.iter().cloned());
-            diagnostics.extend(derived.diagnostics.iter().map(|said| of_the_roll(&roll.name, said)));
+            diagnostics.extend(of_the_roll(&roll.name, &derived.diagnostics));
             rolls.push(RollDerived {
                 roll: roll.roll,
                 name: roll.name.clone(),
@@ -204,15 +239,58 @@ impl Whole<'_> {
     }
 }
 
-/// A message about the part that a roll is turned as, as one about the roll, which names the row.
-fn of_the_roll(name: &str, said: &Diagnostic) -> Diagnostic {
-    match &said.at {
-        Place::Block { .. } | Place::Machine { .. } | Place::Tool { .. } => said.clone(),
-        of_part => Diagnostic {
-            at: Place::Roll { name: name.to_owned() },
-            message: format!("{of_part}: {}", said.message),
-            related: std::iter::once(of_part.clone()).chain(said.related.iter().cloned()).collect(),
-            ..said.clone()
-        },
+/// Messages about the part that a roll is turned as, as ones about the roll, which name the rows: what is said alike of both rows
+/// at a corner is said once.
+fn of_the_roll(name: &str, all: &[Diagnostic]) -> Vec<Diagnostic> {
+    /// Messages of neighbouring rows are not further apart.
+    const NEAR: usize = 4;
+    let mut groups: Vec<(&Diagnostic, Vec<&Place>)> = Vec::new();
+    for said in all {
+        let alike = |other: &Diagnostic| (&other.code, &other.message) == (&said.code, &said.message);
+        match groups.iter_mut().rev().take(NEAR).find(|(other, _)| is_of_part(&said.at) && alike(other)) {
+            Some((_, places)) if !places.contains(&&said.at) => places.push(&said.at),
+            _ => groups.push((said, vec![&said.at])),
+        }
+    }
+    groups
+        .into_iter()
+        .map(|(said, places)| if is_of_part(&said.at) { renamed(name, said, &places) } else { said.clone() })
+        .collect()
+}
+
+/// True if a place is one of the part, and not of its program, machine or tools.
+const fn is_of_part(at: &Place) -> bool {
+    !matches!(at, Place::Block { .. } | Place::Machine { .. } | Place::Tool { .. })
+}
+
+fn renamed(name: &str, said: &Diagnostic, places: &[&Place]) -> Diagnostic {
+    let named: Vec<String> = places.iter().map(ToString::to_string).collect();
+    Diagnostic {
+        at: Place::Roll { name: name.to_owned() },
+        message: format!("{}: {}", named.join(" and "), said.message),
+        related: places.iter().map(|place| (*place).clone()).chain(said.related.iter().cloned()).collect(),
+        ..said.clone()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnostic::SectionTable;
+
+    #[test]
+    fn a_corner_is_told_once_with_both_rows_and_programs_keep_their_places() {
+        let row = |row: usize| Place::Section { id: 1, table: SectionTable::Outside, row, column: None };
+        let left = |at: Place, mm: &str| Diagnostic::error("not-reached", at, format!("{mm} mm are left."));
+        let block = Place::Block { program: "X".to_owned(), block: 7 };
+        let all = [left(row(2), "0.1"), left(row(3), "0.1"), left(row(3), "0.2"), left(block.clone(), "0.2")];
+        let told = of_the_roll("1470b-2T", &all);
+        let messages: Vec<&str> = told.iter().map(|d| d.message.as_str()).collect();
+        let (a, b) = (row(2).to_string(), row(3).to_string());
+        assert_eq!(
+            messages,
+            [format!("{a} and {b}: 0.1 mm are left."), format!("{b}: 0.2 mm are left."), "0.2 mm are left.".into()]
+        );
+        assert_eq!((told[0].related.as_slice(), &told[2].at), ([row(2), row(3)].as_slice(), &block));
     }
 }

@@ -1,5 +1,6 @@
 //! Everything that is designed from a set: strip and rolls of every station, in one call.
 
+use super::drive::DriveDiameters;
 use super::editor::{EditFault, edited};
 use super::part::turned_part;
 use super::roll::{DesignedRoll, Frame, Openings, RollElement, StationRolls, contour, rules, station_rolls};
@@ -30,6 +31,8 @@ pub struct StationDesign {
     pub openings: Openings,
     /// Its rolls as they are to be turned: top, bottom, left, right, as far as there are any.
     pub rolls: Vec<Roll>,
+    /// Where top and bottom roll drive the strip, and with which diameters.
+    pub drive: Option<DriveDiameters>,
 }
 
 /// A roll of a set: its name and the part it is turned as.
@@ -120,11 +123,13 @@ pub fn design(name: &str, set: &RollSet) -> RollDesign {
             number,
             strip: rolls.strip.clone(),
             openings: rolls.openings,
+            drive: DriveDiameters::of(set, station, &rolls.strip, &rolls_here),
             rolls: rolls_here,
         };
         design.diagnostics.extend(rules::check(set, station, &here));
         design.stations.push(here);
     }
+    design.diagnostics.extend(rules::check_line(&design.stations));
     design
 }
 

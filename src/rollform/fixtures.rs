@@ -1,7 +1,7 @@
 //! Roll sets for tests.
 
 use crate::document::{
-    BendAngle, CrossSection, DevelopedWidth, Element, ElementKind, FormingLine, Opening, Origin, Pinch, RollSet,
+    BendAngle, CrossSection, DevelopedWidth, Element, ElementKind, FormingLine, Opening, Origin, Pinch, Rates, RollSet,
     Sharpening, Station, StripMaterial,
 };
 
@@ -10,7 +10,8 @@ const LINE: FormingLine = FormingLine {
     station_pitch: 300.0,
     shaft_diameter: 40.0,
     side_shaft_diameter: 25.0,
-    gear_ratio: 1.0,
+    gear_ratio: None,
+    bottom_rpm: None,
     drawn_gap: 10.0,
 };
 
@@ -54,6 +55,7 @@ pub(crate) fn set(thickness: f64, origin: Origin, elements: Vec<Element>, statio
         line: LINE,
         stations,
         form_tolerance: 0.02,
+        rates: Rates::default(),
         rolls: Vec::new(),
     }
 }

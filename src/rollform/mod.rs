@@ -7,6 +7,7 @@ pub mod bends;
 pub mod design;
 pub mod developed;
 pub mod die;
+pub mod drive;
 pub mod editor;
 pub mod flower;
 pub mod part;

@@ -2,7 +2,7 @@
 
 use super::{GestureId, Session};
 use crate::diagnostic::{Diagnostic, Place, Severity};
-use crate::document::{Content, Document, RollRef, RollWork, TurnedPart};
+use crate::document::{Content, Document, RollRef, RollWork, TurnedPart, fingerprint};
 use crate::regen::{Derived, RollSetDerived};
 use std::sync::{Arc, LazyLock};
 
@@ -70,6 +70,17 @@ impl Session {
     pub fn type_in_part(&mut self, label: &str, change: impl FnOnce(&mut TurnedPart)) {
         let shown = self.shown_roll();
         self.type_in(label, |document| change_part(document, shown, change));
+    }
+
+    /// Notes in the document that a program went to the lathe, if it is one of a roll of the set.
+    pub fn note_sent(&mut self, program: &str, text: &str) {
+        let Some(roll) = self.rolls().and_then(|set| Some(set.of_program(program)?.roll)) else { return };
+        let (program, fingerprint) = (program.to_owned(), fingerprint(text));
+        self.edit(&format!("note that {program} was sent"), None, |document| {
+            if let Content::RollSet(set) = &mut document.content {
+                set.roll_mut(roll).sent.insert(program, fingerprint);
+            }
+        });
     }
 
     fn shown_roll(&self) -> Option<(RollRef, TurnedPart)> {

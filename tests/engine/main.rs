@@ -8,6 +8,7 @@
 #![allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "small whole numbers of the tests")]
 
 mod bad_input;
+mod bad_roll_sets;
 mod changed_bytes;
 mod cut_by;
 mod facing;

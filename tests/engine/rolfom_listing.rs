@@ -320,3 +320,33 @@ fn the_example_is_what_the_importers_make() {
     }
     assert_eq!(std::fs::read_to_string(&example).unwrap(), text);
 }
+
+/// The published finishing of the bottom roll goes with 35° inserts over the R2 edges of both side faces, down to where the
+/// face is upright (operation 6 with tool 11 on the left, operation 8 with tool 3 on the right). The nose runs where it should, as
+/// the top roll's does, which has chamfers of 45° there. But the back edge of the insert follows it: at `α` to the axis it cuts
+/// the edge of radius `R` down to `(R + n)·sin α − n` around its centre, `n` being the nose radius. An insert of 35° that cuts an
+/// upright wall before, as both operations do, has `α` of 55° at most, so that it takes 0.434 mm or more; with the usual 93° in
+/// front it is 52° and 0.509 mm. The published system looked at the nose alone; the proof is right, and the cycles are as
+/// published.
+#[test]
+fn the_published_finishing_of_the_bottom_roll_gouges_its_edges_with_the_back_of_the_insert() {
+    use std::sync::Arc;
+    use turnwright::cancel::Cancel;
+    use turnwright::proof::FindingKind;
+    use turnwright::regen::{Cache, regenerate};
+    let depth = |back_deg: f64| 2.0 - ((2.0 + 0.4) * back_deg.to_radians().sin() - 0.4);
+    assert!((depth(180.0 - 93.0 - 35.0) - 0.509).abs() < 0.0005 && (depth(90.0 - 35.0) - 0.434).abs() < 0.0005);
+    let document = Arc::new(document("B"));
+    let derived = regenerate(&document, &Catalog::shipped(), &mut Cache::default(), &Cancel::default()).unwrap();
+    let setup = &derived.setups[0];
+    let errors: Vec<_> = setup.proof.errors().collect();
+    let lines: Vec<&str> = setup.programs[0].text.lines().collect();
+    let blocks: Vec<&str> = errors.iter().map(|f| &lines[f.block - 1][..5]).collect();
+    assert_eq!(blocks, ["N960G", "N1160"], "{errors:?}");
+    for (finding, center) in errors.iter().zip([Point::new(2.0, 63.015), Point::new(157.303, 63.015)]) {
+        let at = finding.at.unwrap();
+        assert_eq!(finding.kind, FindingKind::Gouge);
+        assert!((finding.value - depth(52.0)).abs() < 0.001, "{finding:?}");
+        assert!((2.0 - at.distance(center) - finding.value).abs() < 0.005, "on the rounded edge: {finding:?}");
+    }
+}

@@ -39,6 +39,12 @@ impl Form {
         Self { label: width - 14.0, field: width + 14.0 }
     }
 
+    /// Two fields in a row of a narrow panel, whose labels are as long as the fields.
+    pub(super) fn two_even_columns(ui: &Ui) -> Self {
+        let width = (ui.available_width() - 3.0 * BETWEEN) / 4.0;
+        Self { label: width, field: width }
+    }
+
     /// One field in a row.
     pub(super) fn one_column(ui: &Ui) -> Self {
         let width = ui.available_width() - BETWEEN;
@@ -101,6 +107,54 @@ impl Form {
         put(session, of, field(ui, of.label, &shown, self.field, words::parse_figure), write);
     }
 
+    /// A figure that may be absent: an empty field.
+    pub(super) fn maybe_figure(
+        self,
+        ui: &mut Ui,
+        session: &mut Session,
+        of: Field<'_>,
+        value: Option<f64>,
+        write: impl FnOnce(&mut RollSet, Option<f64>),
+    ) {
+        self.label(ui, of.label);
+        let shown = value.map_or_else(String::new, |v| words::plain(v, DECIMALS));
+        let read = |text: &str| {
+            if text.trim().is_empty() { Ok(None) } else { words::parse_figure(text).map(Some) }
+        };
+        put(session, of, field(ui, of.label, &shown, self.field, read), write);
+    }
+
+    /// A short text without blanks around it.
+    pub(super) fn text(
+        self,
+        ui: &mut Ui,
+        session: &mut Session,
+        of: Field<'_>,
+        value: &str,
+        write: impl FnOnce(&mut RollSet, String),
+    ) {
+        /// Longest text, characters.
+        const LONGEST: usize = 40;
+        self.label(ui, of.label);
+        let read = |text: &str| match text.trim() {
+            text if text.chars().count() > LONGEST => Err(format!("The text is longer than {LONGEST} characters.")),
+            text => Ok(text.to_owned()),
+        };
+        put(session, of, field(ui, of.label, value, self.field, read), write);
+    }
+
+    /// What follows from other fields, to be read only.
+    pub(super) fn told(self, ui: &mut Ui, label: &str, text: &str) -> egui::Response {
+        self.label(ui, label);
+        let (rect, response) = ui.allocate_exact_size(egui::vec2(self.field, 26.0), egui::Sense::hover());
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Label, true, format!("{label} {text}")));
+        let color = crate::app::theme::Colors::of(ui.visuals()).plot.text;
+        let font = egui::FontId::proportional(crate::app::theme::TEXT);
+        let at = rect.right_center() - egui::vec2(9.0, 0.0);
+        ui.painter().text(at, egui::Align2::RIGHT_CENTER, text, font, color);
+        response
+    }
+
     /// One of several.
     pub(super) fn choice<T: PartialEq + Clone>(
         self,
@@ -123,7 +177,7 @@ impl Form {
 }
 
 /// Puts what is typed into the set.
-fn put(session: &mut Session, of: Field<'_>, typed: Option<Typed<f64>>, write: impl FnOnce(&mut RollSet, f64)) {
+fn put<T>(session: &mut Session, of: Field<'_>, typed: Option<Typed<T>>, write: impl FnOnce(&mut RollSet, T)) {
     let Some(typed) = typed else { return };
     typed.put_into(session, &of.label.to_lowercase(), |document, value| {
         if let Some(set) = super::set_mut(document) {

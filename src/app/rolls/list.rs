@@ -1,13 +1,47 @@
-//! All rolls of the set, with what is done about each.
+//! All rolls of the set, with what is done about each, and what they weigh and cost.
 
 use super::RollsViews;
+use super::fields::{Field, Form};
+use super::words;
 use crate::app::desk::Requests;
 use crate::app::theme::{self, Colors};
 use crate::app::widgets::{clock, title_row};
-use crate::regen::RollDerived;
+use crate::document::{RollSet, RollWork};
+use crate::papers::{RollLine, roll_lines};
+use crate::regen::{Derived, RollDerived, Sent};
 use crate::rollform::Roll;
 use crate::session::Session;
 use egui::{Align2, Color32, FontId, Rect, ScrollArea, Sense, Ui, vec2};
+use std::fmt::Write;
+use std::sync::Arc;
+
+/// Where names and states begin, points from the left.
+const NAME: f32 = 24.0;
+const STATE: f32 = 58.0;
+/// Width of a column of figures, points.
+const FIGURES: f32 = 52.0;
+/// Room at the right border, points.
+const BORDER: f32 = 8.0;
+/// Least width with a column for the material, and where it begins.
+const WITH_MATERIAL: f32 = 370.0;
+const MATERIAL: f32 = 122.0;
+/// Room for what rolls cost below the list, points.
+const COSTS: f32 = 66.0;
+
+/// What the panel keeps: the lines of the newest results.
+#[derive(Debug, Default)]
+pub(super) struct ListView {
+    made: Option<(Arc<Derived>, Vec<RollLine>)>,
+}
+
+impl ListView {
+    fn lines(&mut self, derived: &Arc<Derived>) -> &[RollLine] {
+        if !self.made.as_ref().is_some_and(|(of, _)| Arc::ptr_eq(of, derived)) {
+            self.made = Some((Arc::clone(derived), roll_lines(derived)));
+        }
+        self.made.as_ref().map_or(&[], |(_, lines)| lines.as_slice())
+    }
+}
 
 /// What is done about a roll.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,12 +54,15 @@ enum Status {
     Planned,
     /// Its programs are proved.
     Proved,
+    /// Its programs went to the lathe as they are now.
+    Sent,
 }
 
 impl Status {
-    fn of(roll: &Roll, made: Option<&RollDerived>) -> Self {
+    fn of(roll: &Roll, made: Option<&RollDerived>, sent: Sent) -> Self {
         let current = made.filter(|made| made.current);
         match current {
+            Some(_) if sent == Sent::Yes => Self::Sent,
             Some(made) if made.is_proved() => Self::Proved,
             Some(made) if made.derived.setups.iter().any(|s| !s.programs.is_empty()) => Self::Planned,
             _ if roll.elements != roll.designed => Self::Edited,
@@ -39,6 +76,7 @@ impl Status {
             Self::Edited => "edited",
             Self::Planned => "planned",
             Self::Proved => "proved",
+            Self::Sent => "sent",
         }
     }
 
@@ -47,7 +85,7 @@ impl Status {
             Self::Designed => colors.plot.construction,
             Self::Edited => colors.plot.unreachable,
             Self::Planned => colors.plot.accent,
-            Self::Proved => colors.good,
+            Self::Proved | Self::Sent => colors.good,
         }
     }
 }
@@ -57,69 +95,178 @@ pub(super) fn show(
     ui: &mut Ui,
     titled: bool,
     session: &mut Session,
-    _views: &mut RollsViews,
+    views: &mut RollsViews,
     _requests: &mut Requests,
 ) -> bool {
-    let derived = session.derived().and_then(|derived| derived.rolls.clone());
-    let all = derived.as_ref().map_or(0, |set| set.design.rolls().count());
+    let document = Arc::clone(session.document());
+    let derived = session.derived().map(Arc::clone);
+    let made = derived.as_ref().and_then(|derived| derived.rolls.clone());
+    let all = made.as_ref().map_or(0, |set| set.design.rolls().count());
     let dragged = title_row(ui, titled.then_some("Rolls"), &all.to_string(), |_| {});
-    let Some(set) = derived.filter(|_| all > 0) else {
+    let (Some(derived), Some(made), Some(set)) = (derived, made.filter(|_| all > 0), document.content.roll_set())
+    else {
         let colors = Colors::of(ui.visuals());
         ui.label(theme::quiet("There are no rolls yet: no station, or no strip that has an extent.", colors));
         return dragged;
     };
+    let lines = views.list.lines(&derived);
+    heading(ui);
     let shown = session.roll();
     let mut chosen = None;
-    ScrollArea::vertical().id_salt("rolls").auto_shrink([false, false]).show(ui, |ui| {
-        for roll in set.design.rolls() {
-            if row(ui, roll, set.of_roll(roll.roll), shown == Some(roll.roll)) {
+    let height = (ui.available_height() - COSTS).max(2.0 * theme::ROW);
+    ScrollArea::vertical().id_salt("rolls").max_height(height).auto_shrink([false, false]).show(ui, |ui| {
+        for (roll, line) in made.design.rolls().zip(lines) {
+            let row = Row { roll, line, made: made.of_roll(roll.roll), work: set.roll(roll.roll) };
+            if row.show(ui, shown == Some(roll.roll)) {
                 chosen = Some(roll.roll);
             }
         }
-        let time: f64 = set.rolls.iter().map(time_s).sum();
-        let colors = Colors::of(ui.visuals());
-        ui.add_space(6.0);
-        ui.label(theme::quiet(format!("machining of the set {}", clock(time)), colors));
+        total(ui, lines);
     });
+    costs(ui, set, lines, session);
     if let Some(roll) = chosen {
         session.select_roll(roll);
     }
     dragged
 }
 
-/// Machining time of a roll, s.
-fn time_s(roll: &RollDerived) -> f64 {
-    roll.derived.setups.iter().map(|s| s.proof.times.total_s).sum()
+/// Right ends of the columns of figures: weight, cost, time.
+fn ends(rect: Rect) -> [f32; 3] {
+    let right = rect.right() - BORDER;
+    [right - 2.0 * FIGURES, right - FIGURES, right]
 }
 
-/// One roll; true if it was clicked.
-fn row(ui: &mut Ui, roll: &Roll, made: Option<&RollDerived>, selected: bool) -> bool {
+fn heading(ui: &mut Ui) {
     let colors = Colors::of(ui.visuals());
-    let status = Status::of(roll, made);
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::ROW), Sense::click());
-    response.widget_info(|| {
-        let text = format!("Roll {}: {}", roll.name, status.word());
-        egui::WidgetInfo::selected(egui::Role::Row, true, selected, text)
-    });
-    let painter = ui.painter_at(rect);
-    if selected || response.hovered() {
-        painter.rect_filled(rect, 4.0, if selected { colors.selected } else { colors.hovered });
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 18.0), Sense::hover());
+    let font = FontId::proportional(theme::SMALL);
+    let text = |x: f32, align, text: &str| {
+        ui.painter().text(egui::pos2(x, rect.center().y), align, text, font.clone(), colors.plot.quiet);
+    };
+    text(rect.left() + NAME, Align2::LEFT_CENTER, "roll");
+    text(rect.left() + STATE, Align2::LEFT_CENTER, "state");
+    if rect.width() >= WITH_MATERIAL {
+        text(rect.left() + MATERIAL, Align2::LEFT_CENTER, "material");
     }
-    let dot = Rect::from_center_size(rect.left_center() + vec2(11.0, 0.0), vec2(9.0, 9.0));
-    painter.rect_filled(dot, 2.5, status.color(colors));
-    let font = FontId::proportional(theme::TEXT);
-    let short = roll.name.rsplit('-').next().unwrap_or(&roll.name);
-    let name_font = if selected { theme::strong_font(theme::TEXT) } else { font.clone() };
-    painter.text(rect.left_center() + vec2(24.0, 0.0), Align2::LEFT_CENTER, short, name_font, colors.plot.text);
-    painter.text(
-        rect.left_center() + vec2(58.0, 0.0),
-        Align2::LEFT_CENTER,
-        status.word(),
-        font.clone(),
-        colors.plot.quiet,
-    );
-    let time = made.filter(|made| made.current).map(time_s).filter(|time| *time > 0.0);
-    let time = time.map_or_else(|| "–".to_owned(), clock);
-    painter.text(rect.right_center() - vec2(8.0, 0.0), Align2::RIGHT_CENTER, time, font, colors.plot.text);
-    response.on_hover_text(&roll.name).clicked()
+    for (x, name) in ends(rect).into_iter().zip(["kg", "cost", "time"]) {
+        text(x, Align2::RIGHT_CENTER, name);
+    }
+}
+
+/// One roll.
+struct Row<'a> {
+    roll: &'a Roll,
+    line: &'a RollLine,
+    made: Option<&'a RollDerived>,
+    work: Option<&'a RollWork>,
+}
+
+impl Row<'_> {
+    /// Shows it; true if it was clicked.
+    fn show(&self, ui: &mut Ui, selected: bool) -> bool {
+        let colors = Colors::of(ui.visuals());
+        let sent = self.made.map_or(Sent::No, |made| made.sent(self.work));
+        let status = Status::of(self.roll, self.made, sent);
+        let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::ROW), Sense::click());
+        response.widget_info(|| {
+            let text = format!("Roll {}: {}", self.roll.name, status.word());
+            egui::WidgetInfo::selected(egui::Role::Row, true, selected, text)
+        });
+        let painter = ui.painter_at(rect);
+        if selected || response.hovered() {
+            painter.rect_filled(rect, 4.0, if selected { colors.selected } else { colors.hovered });
+        }
+        let dot = Rect::from_center_size(rect.left_center() + vec2(11.0, 0.0), vec2(9.0, 9.0));
+        painter.rect_filled(dot, if status == Status::Sent { 4.5 } else { 2.5 }, status.color(colors));
+        let font = FontId::proportional(theme::TEXT);
+        let text = |x: f32, align, text: String, font: &FontId, color| {
+            painter.text(egui::pos2(x, rect.center().y), align, text, font.clone(), color);
+        };
+        let short = self.roll.name.rsplit('-').next().unwrap_or(&self.roll.name).to_owned();
+        let name_font = if selected { theme::strong_font(theme::TEXT) } else { font.clone() };
+        text(rect.left() + NAME, Align2::LEFT_CENTER, short, &name_font, colors.plot.text);
+        let word = if sent == Sent::Before { format!("{} *", status.word()) } else { status.word().to_owned() };
+        text(rect.left() + STATE, Align2::LEFT_CENTER, word, &font, colors.plot.quiet);
+        if rect.width() >= WITH_MATERIAL {
+            text(rect.left() + MATERIAL, Align2::LEFT_CENTER, self.line.material.clone(), &font, colors.plot.quiet);
+        }
+        let figures = [told(self.line.roll_kg), told(self.line.cost()), time(self.line.time_s)];
+        for (x, figure) in ends(rect).into_iter().zip(figures) {
+            text(x, Align2::RIGHT_CENTER, figure, &font, colors.plot.text);
+        }
+        response.on_hover_text(self.detail(sent)).clicked()
+    }
+
+    fn detail(&self, sent: Sent) -> String {
+        let line = self.line;
+        let mut text = format!("{} of {}", line.name, line.material);
+        if let Some(kg) = line.blank_kg {
+            _ = write!(text, "\nblank {kg:.2} kg");
+        }
+        for (what, cost) in [("blank", line.blank_cost), ("machining", line.machining_cost)] {
+            _ = write!(text, "\n{what} costs {} {}", told(cost), line.currency);
+        }
+        match sent {
+            Sent::No => {}
+            Sent::Yes => text += "\nWent to the lathe as it is now.",
+            Sent::Before => text += "\n* Went to the lathe, and has changed since.",
+        }
+        text
+    }
+}
+
+fn told(value: Option<f64>) -> String {
+    value.map_or_else(|| "–".to_owned(), |value| format!("{value:.2}"))
+}
+
+fn time(seconds: Option<f64>) -> String {
+    seconds.filter(|s| *s > 0.0).map_or_else(|| "–".to_owned(), clock)
+}
+
+/// The sums below the rolls; a plus sign where not all is known.
+fn total(ui: &mut Ui, lines: &[RollLine]) {
+    let sum = |of: fn(&RollLine) -> Option<f64>| {
+        let known: Vec<f64> = lines.iter().filter_map(of).collect();
+        let more = if known.len() < lines.len() { "+" } else { "" };
+        (!known.is_empty()).then(|| (known.iter().sum::<f64>(), more))
+    };
+    let figure = |of| sum(of).map_or_else(|| "–".to_owned(), |(value, more)| format!("{value:.2}{more}"));
+    let colors = Colors::of(ui.visuals());
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), theme::ROW), Sense::hover());
+    let texts = [
+        figure(|l| l.roll_kg),
+        figure(RollLine::cost),
+        sum(|l| l.time_s).map_or_else(|| "–".to_owned(), |(s, more)| clock(s) + more),
+    ];
+    response.widget_info(|| {
+        let [kg, cost, time] = &texts;
+        egui::WidgetInfo::labeled(egui::Role::Label, true, format!("Whole set: {kg} kg, cost {cost}, time {time}"))
+    });
+    let font = theme::strong_font(theme::TEXT);
+    ui.painter().hline(rect.x_range(), rect.top(), egui::Stroke::new(1.0, colors.plot.grid));
+    let at = rect.left_center() + vec2(NAME, 0.0);
+    ui.painter().text(at, Align2::LEFT_CENTER, "whole set", font.clone(), colors.plot.text);
+    for (x, text) in ends(rect).into_iter().zip(texts) {
+        ui.painter().text(egui::pos2(x, rect.center().y), Align2::RIGHT_CENTER, text, font.clone(), colors.plot.text);
+    }
+}
+
+/// What an hour and a kilogram cost; empty fields take what machine and material say.
+fn costs(ui: &mut Ui, set: &RollSet, lines: &[RollLine], session: &mut Session) {
+    ui.add_space(6.0);
+    let form = Form::two_even_columns(ui);
+    let rates = &set.rates;
+    Form::row(ui, |ui| {
+        form.maybe_figure(ui, session, Field::of("Per hour"), rates.machine_per_hour, |s, v| {
+            s.rates.machine_per_hour = v;
+        });
+        form.maybe_figure(ui, session, Field::of("Per kg"), rates.price_per_kg, |s, v| s.rates.price_per_kg = v);
+    });
+    Form::row(ui, |ui| {
+        form.text(ui, session, Field::of("Currency"), rates.currency.as_deref().unwrap_or_default(), |s, text| {
+            s.rates.currency = Some(text).filter(|text| !text.is_empty());
+        });
+        let material = lines.first().map_or("", |line| line.material.as_str());
+        form.told(ui, "Material", &words::shortened(material));
+    });
 }

@@ -30,6 +30,7 @@ pub(crate) struct RollsViews {
     flower: flower::FlowerView,
     charts: charts::ChartsView,
     editor: editor::EditorView,
+    list: list::ListView,
 }
 
 impl RollsViews {

@@ -1,14 +1,18 @@
 //! What the station that is shown is designed by.
 
+mod side_roll;
+
 use super::RollsViews;
 use super::fields::{Field, Form};
+use super::words;
 use crate::app::desk::Requests;
+use crate::app::plots::fixed;
 use crate::app::theme::{self, Colors};
 use crate::app::widgets::{link, title_row};
 use crate::document::{
-    DriveSurface, ElementKind, ExtensionContour, ExtensionKind, Face, Origin, Pinch, RollSet, SideEnd, SideRoll,
-    Station,
+    DriveSurface, Element, ExtensionContour, ExtensionKind, Origin, Pinch, RollSet, SideRoll, Station,
 };
+use crate::rollform::drive::DriveDiameters;
 use crate::session::Session;
 use crate::units::Unit;
 use egui::{ScrollArea, Ui};
@@ -31,7 +35,10 @@ pub(super) fn show(
     let dragged = title_row(ui, titled.then_some(&title), "", |ui| steps(ui, session, set, found));
     ScrollArea::vertical().id_salt("station-data").auto_shrink([false, false]).show(ui, |ui| {
         if let Some((_, station)) = found {
-            Fields { unit: document.unit, set, station, form: Form::one_column(ui) }.show(ui, session);
+            let rolls = session.derived().and_then(|d| d.rolls.clone());
+            let design = rolls.as_ref().and_then(|r| r.design.stations.iter().find(|s| s.station == station.id));
+            let drive = design.and_then(|design| design.drive);
+            Fields { unit: document.unit, set, station, drive, form: Form::one_column(ui) }.show(ui, session);
         } else {
             let colors = Colors::of(ui.visuals());
             ui.label(theme::quiet(
@@ -61,6 +68,8 @@ struct Fields<'a> {
     unit: Unit,
     set: &'a RollSet,
     station: &'a Station,
+    /// Drive diameters of its rolls as they were designed last.
+    drive: Option<DriveDiameters>,
     form: Form,
 }
 
@@ -108,6 +117,7 @@ impl Fields<'_> {
         self.length(ui, session, "Centres", s.centre_distance, |s, v| s.centre_distance = v);
         self.pinch(ui, session);
         self.drive(ui, session);
+        self.speeds(ui, session);
         self.length(ui, session, "Tolerance L", s.tolerance_left, |s, v| s.tolerance_left = v);
         self.length(ui, session, "Tolerance R", s.tolerance_right, |s, v| s.tolerance_right = v);
         for (side, label) in [(Side::Left, "Left edge"), (Side::Right, "Right edge")] {
@@ -142,7 +152,13 @@ impl Fields<'_> {
             form.length(ui, session, Field::of("Side axle ⌀"), value, unit, |s, v| s.line.side_shaft_diameter = v);
         });
         Form::row(ui, |ui| {
-            form.figure(ui, session, Field::of("Gear ratio"), line.gear_ratio, |s, v| s.line.gear_ratio = v);
+            form.length(ui, session, Field::of("Drawn gap"), line.drawn_gap, unit, |s, v| s.line.drawn_gap = v);
+        });
+        Form::row(ui, |ui| {
+            form.maybe_figure(ui, session, Field::of("Gear ratio"), line.gear_ratio, |s, v| s.line.gear_ratio = v);
+        });
+        Form::row(ui, |ui| {
+            form.maybe_figure(ui, session, Field::of("Bottom rpm"), line.bottom_rpm, |s, v| s.line.bottom_rpm = v);
         });
     }
 
@@ -206,17 +222,71 @@ impl Fields<'_> {
         }
     }
 
-    /// The drive surface ends at an element; it begins at the first one.
+    /// The drive surface ends at an element on either side; it begins at the first one. A symmetrical section is asked for the right
+    /// side alone, and a section that begins at an edge has one list.
     fn drive(&self, ui: &mut Ui, session: &mut Session) {
-        let elements = &self.set.section.elements;
+        let section = &self.set.section;
+        let (right, left) = match section.origin {
+            Origin::CentreRightFirst => (&section.elements, Some(&section.other_side)),
+            Origin::CentreLeftFirst => (&section.other_side, Some(&section.elements)),
+            Origin::RightToLeft => return self.drive_to(ui, session, "Drive", &section.elements, Side::Left),
+            Origin::LeftToRight | Origin::Symmetrical => (&section.elements, None),
+        };
+        if let Some(left) = left {
+            self.drive_to(ui, session, "Drive L", left, Side::Left);
+            self.drive_to(ui, session, "Drive R", right, Side::Right);
+        } else {
+            self.drive_to(ui, session, "Drive", right, Side::Right);
+        }
+    }
+
+    fn drive_to(&self, ui: &mut Ui, session: &mut Session, label: &str, elements: &[Element], side: Side) {
         let Some(first) = elements.first().map(|e| e.id) else { return };
-        let to = |index: usize| format!("1 to {}", index + 1);
         let mut all: Vec<(Option<u32>, String)> = vec![(None, "longest line".to_owned())];
-        all.extend(elements.iter().enumerate().map(|(index, e)| (Some(e.id), to(index))));
-        let present = self.station.drive_right.map(|drive| drive.last);
-        self.choice(ui, session, "Drive", &present, &all, |s, last| {
-            s.drive_right = last.map(|last| DriveSurface { first, last });
+        all.extend(elements.iter().map(|e| (Some(e.id), format!("1 to {}", words::number(self.set, e.id)))));
+        let surface = if side == Side::Left { self.station.drive_left } else { self.station.drive_right };
+        self.choice(ui, session, label, &surface.map(|drive| drive.last), &all, |s, last| {
+            let chosen = last.map(|last| DriveSurface { first, last });
+            *(if side == Side::Left { &mut s.drive_left } else { &mut s.drive_right }) = chosen;
         });
+    }
+
+    /// Drive diameters, the gear ratio, and how fast the surfaces run.
+    fn speeds(&self, ui: &mut Ui, session: &mut Session) {
+        let (id, own) = (self.station.id, self.station.gear_ratio);
+        let Some(drive) = self.drive else { return };
+        let length = |mm: Option<f64>| told(mm.map(|mm| mm / self.unit.in_mm()), self.unit.decimals());
+        let pair = |bottom: String, top: String| format!("{bottom} · {top}");
+        Form::row(ui, |ui| {
+            let text = pair(length(drive.bottom), length(drive.top));
+            self.form.told(ui, "Drive ⌀ B · T", &text).on_hover_text(
+                "Diameters of bottom and top roll in the middle of the widest, most level part of the drive surface",
+            );
+        });
+        if let Some(rpm) = self.set.line.bottom_rpm {
+            Form::row(ui, |ui| {
+                let (bottom, top) = drive.surface_speeds(rpm);
+                let text = pair(told(bottom, 2), told(top, 2));
+                self.form.told(ui, "m/min B · T", &text).on_hover_text("Surface speeds of bottom and top roll there");
+            });
+        }
+        Form::row(ui, |ui| {
+            ui.push_id(id, |ui| {
+                self.form.maybe_figure(ui, session, Field::of("Own gear ratio"), own, |set, ratio| {
+                    in_station(set, id, |s| s.gear_ratio = ratio);
+                });
+            });
+        });
+        if let Some(fitting) = drive.fitting_ratio() {
+            Form::row(ui, |ui| {
+                let slip =
+                    drive.top_runs_faster_by().map_or_else(String::new, |by| format!("top {:+.1} % · ", by * 100.0));
+                self.form.told(ui, "Fitting ratio", &format!("{slip}{fitting:.3}")).on_hover_text(
+                    "How much faster the top roll's surface runs than the bottom roll's, and the gear ratio at which both run \
+                     alike",
+                );
+            });
+        }
     }
 
     /// What an empty choice of one side is called: of a symmetrical section the left side is as the right one.
@@ -252,46 +322,11 @@ impl Fields<'_> {
             });
         }
     }
+}
 
-    fn side_roll(&self, ui: &mut Ui, session: &mut Session, side: Side, label: &str) {
-        let present = side.roll(self.station);
-        let fresh = self.usual_side_roll();
-        let all = [(false, self.unless_as_right(side, "none")), (true, "side roll".to_owned())];
-        self.choice(ui, session, label, &present.is_some(), &all, |station, wanted| {
-            *side.roll_mut(station) = if wanted { fresh } else { None };
-        });
-        let Some(roll) = present else { return };
-        self.length(ui, session, &format!("{label} axis"), roll.axis_distance, |station, value| {
-            side.roll_mut(station).iter_mut().for_each(|roll| roll.axis_distance = value);
-        });
-        let numbers: Vec<(u32, String)> =
-            (1..).zip(&self.set.section.elements).map(|(n, e): (usize, _)| (e.id, format!("element {n}"))).collect();
-        let (from, to) = (roll.from, roll.to);
-        self.choice(ui, session, &format!("{label} from"), &from.element, &numbers, |station, element| {
-            side.roll_mut(station).iter_mut().for_each(|roll| roll.from.element = element);
-        });
-        self.choice(ui, session, &format!("{label} to"), &to.element, &numbers, |station, element| {
-            side.roll_mut(station).iter_mut().for_each(|roll| roll.to.element = element);
-        });
-        let faces = [(Face::Bottom, "bottom".to_owned()), (Face::Top, "top".to_owned())];
-        self.choice(ui, session, &format!("{label} face"), &from.face, &faces, |station, face| {
-            side.roll_mut(station).iter_mut().for_each(|roll| (roll.from.face, roll.to.face) = (face, face));
-        });
-    }
-
-    /// A side roll on the outside of all that is bent, as far out as the shafts of the station are apart.
-    fn usual_side_roll(&self) -> Option<SideRoll> {
-        let elements = &self.set.section.elements;
-        let bent = elements.iter().find(|e| matches!(e.kind, ElementKind::Bend { .. }))?;
-        let down = matches!(bent.kind, ElementKind::Bend { angle_deg, .. } if angle_deg < 0.0);
-        let face = if down { Face::Top } else { Face::Bottom };
-        Some(SideRoll {
-            axis_distance: self.station.centre_distance,
-            from: SideEnd { element: bent.id, face },
-            to: SideEnd { element: elements.last()?.id, face },
-            extensions: Vec::new(),
-        })
-    }
+/// A figure, or a dash where there is none.
+fn told(value: Option<f64>, decimals: usize) -> String {
+    value.map_or_else(|| "–".to_owned(), |value| fixed(value, decimals))
 }
 
 fn in_station(set: &mut RollSet, id: u32, change: impl FnOnce(&mut Station)) {

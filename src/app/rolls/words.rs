@@ -1,6 +1,6 @@
 //! Words and figures that the panels of a set share.
 
-use crate::document::{DevelopedWidth, Opening, Origin};
+use crate::document::{DevelopedWidth, Element, Opening, Origin, RollSet};
 use crate::units::{Unit, parse_length};
 
 /// Decimals of an angle on the screen, degrees.
@@ -37,6 +37,19 @@ pub(super) const fn opening(opening: Opening) -> &'static str {
         Opening::InsideRadius => "inside r × θ",
         Opening::ConstantRadius => "constant r",
     }
+}
+
+/// Number of an element as it stands in its table; of the other side's list with a stroke behind it.
+pub(super) fn number(set: &RollSet, id: u32) -> String {
+    let in_list = |list: &[Element]| list.iter().position(|e| e.id == id).map(|index| index + 1);
+    let other = || in_list(&set.section.other_side).map(|n| format!("{n}'"));
+    in_list(&set.section.elements).map(|n| n.to_string()).or_else(other).unwrap_or_else(|| "?".to_owned())
+}
+
+/// A text that fits beside a label in half the width of a panel.
+pub(super) fn shortened(text: &str) -> String {
+    const MOST: usize = 12;
+    if text.chars().count() <= MOST { text.to_owned() } else { text.chars().take(MOST - 1).chain(['…']).collect() }
 }
 
 /// An angle without needless zeros.

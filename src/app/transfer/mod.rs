@@ -69,6 +69,13 @@ impl TransferPanel {
         self.outcome.as_ref()
     }
 
+    /// Name and text of the program that reached the lathe with the last transfer, as far as is known.
+    pub(crate) fn reached(&self) -> Option<(String, String)> {
+        let outcome = self.outcome.as_ref()?;
+        let good = matches!(outcome, Outcome::SentNotVerified | Outcome::Saved(_) | Outcome::Verified);
+        self.sent.clone().filter(|_| good)
+    }
+
     /// How far the transfer is.
     pub(crate) const fn progress(&self) -> &Progress {
         &self.progress

@@ -2,6 +2,7 @@
 //! single rolls. Lengths are in the unit of the document, angles in degrees.
 
 mod edit;
+mod rates;
 mod roll;
 mod section;
 mod station;
@@ -9,7 +10,8 @@ mod station;
 use serde::{Deserialize, Serialize};
 
 pub use edit::{EditAction, ElementName, NewElement, PieceKind, RollEdit, RollPoint, Side, TangentSide};
-pub use roll::{RollCopy, RollKind, RollRef, RollWork};
+pub use rates::Rates;
+pub use roll::{RollCopy, RollKind, RollRef, RollWork, fingerprint};
 pub use section::{CrossSection, DevelopedWidth, Element, ElementKind, Origin, StripMaterial};
 pub use station::{
     BendAngle, Composite, DriveSurface, ExtensionContour, ExtensionKind, Face, FixedComposite, FormingLine, Opening,
@@ -43,6 +45,9 @@ pub struct RollSet {
     pub stations: Vec<Station>,
     /// Deviation from its contour that the proof of a roll allows.
     pub form_tolerance: f64,
+    /// What machining and material cost for this set.
+    #[serde(default, skip_serializing_if = "super::is_default")]
+    pub rates: Rates,
     /// What was decided about single rolls; a roll that is not named is as it was designed, and planned.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub rolls: Vec<RollWork>,

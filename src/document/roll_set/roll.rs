@@ -94,6 +94,20 @@ pub struct RollWork {
     /// Programs edited by hand, by program name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub overrides: BTreeMap<String, String>,
+    /// Programs that went to the lathe, by name, with the [`fingerprint`] of what was sent: whether that is the roll as it is
+    /// now shows by comparing.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub sent: BTreeMap<String, String>,
+}
+
+/// A short text that differs for different texts: 64 bits of FNV-1a in hexadecimal digits. It tells changes apart, it does not
+/// keep anybody from forging.
+#[must_use]
+pub fn fingerprint(text: &str) -> String {
+    const OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
+    const PRIME: u64 = 0x0100_0000_01b3;
+    let hash = text.bytes().fold(OFFSET, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(PRIME));
+    format!("{hash:016x}")
 }
 
 impl RollWork {
@@ -109,6 +123,7 @@ impl RollWork {
             plan: PlanEdits::default(),
             program: ProgramChoices::default(),
             overrides: BTreeMap::new(),
+            sent: BTreeMap::new(),
         }
     }
 
@@ -144,5 +159,18 @@ impl RollWork {
             plan: self.plan.scaled(factor),
             ..self.clone()
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn fingerprints_are_those_of_the_published_hash() {
+        // Fowler, Noll, Vo: test vectors of FNV-1a, 64 bits.
+        assert_eq!(fingerprint(""), "cbf29ce484222325");
+        assert_eq!(fingerprint("a"), "af63dc4c8601ec8c");
+        assert_eq!(fingerprint("foobar"), "85944171f73967e8");
     }
 }

@@ -42,6 +42,9 @@ pub struct Station {
     /// Roll on an upright axis right of the strip.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub side_right: Option<SideRoll>,
+    /// Speed of its top shaft divided by that of its bottom shaft, where it is not that of the line.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gear_ratio: Option<f64>,
     /// True if the station has no rolls.
     #[serde(default, skip_serializing_if = "super::super::is_default")]
     pub without_rolls: bool,
@@ -209,16 +212,16 @@ pub struct FormingLine {
     pub shaft_diameter: f64,
     /// Diameter of the axles of side rolls and of their bores.
     pub side_shaft_diameter: f64,
-    /// Speed of the top shaft divided by that of the bottom shaft.
-    #[serde(default = "one")]
-    pub gear_ratio: f64,
+    /// Speed of the top shafts divided by that of the bottom shafts; absent if the top shafts are not geared, or it is not
+    /// known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gear_ratio: Option<f64>,
+    /// Speed of the bottom shafts, rev/min, the same at every station; absent if it is not known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bottom_rpm: Option<f64>,
     /// Gap between the rolls in a drawing.
     #[serde(default, skip_serializing_if = "super::super::is_default")]
     pub drawn_gap: f64,
-}
-
-const fn one() -> f64 {
-    1.0
 }
 
 impl FormingLine {
@@ -256,6 +259,7 @@ impl Station {
             extension_right: Vec::new(),
             side_left: None,
             side_right: None,
+            gear_ratio: None,
             without_rolls: false,
         }
     }

@@ -1,4 +1,4 @@
-//! Which pieces of the strip drive it.
+//! Which pieces of the strip drive it, and where on them the speed of the rolls is reckoned.
 
 use crate::document::{DriveSurface, Origin, Side, Station};
 use crate::rollform::strip::{Piece, PieceKind, Strip};
@@ -6,6 +6,43 @@ use std::ops::Range;
 
 /// A line within this of the horizontal is level, radians: half a degree.
 const LEVEL_RAD: f64 = 0.5 * std::f64::consts::PI / 180.0;
+
+/// Straight pieces whose directions differ by less are one, radians.
+const STRAIGHT_ON_RAD: f64 = 1e-9;
+
+/// The part of the drive surface that the speed of the rolls is reckoned at: the one that is widest and most level, that is,
+/// reaches furthest across the line. Strip space, mm.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DriveZone {
+    /// Its left end.
+    pub from: f64,
+    /// Its right end.
+    pub to: f64,
+}
+
+impl DriveZone {
+    /// Its middle.
+    #[must_use]
+    pub const fn middle(&self) -> f64 {
+        f64::midpoint(self.from, self.to)
+    }
+
+    fn width(&self) -> f64 {
+        self.to - self.from
+    }
+}
+
+/// The zone of a station; `None` without strip. Straight pieces that go on in one direction count as one.
+pub(in crate::rollform) fn drive_zone(strip: &Strip, station: &Station, origin: Origin) -> Option<DriveZone> {
+    let driving = strip.pieces.get(drive_run(strip, station, origin))?;
+    let goes_on =
+        |a: &Piece, b: &Piece| !a.is_bent() && !b.is_bent() && (a.heading_rad - b.heading_rad).abs() <= STRAIGHT_ON_RAD;
+    let zones = driving.chunk_by(goes_on).filter_map(|pieces| {
+        let (from, to) = (pieces.first()?.bottom.start().z, pieces.last()?.bottom.end().z);
+        Some(DriveZone { from: from.min(to), to: from.max(to) })
+    });
+    zones.max_by(|a, b| a.width().total_cmp(&b.width()))
+}
 
 /// The pieces of the drive surface, by index.
 pub(super) fn drive_run(strip: &Strip, station: &Station, origin: Origin) -> Range<usize> {

@@ -41,7 +41,7 @@
 //! lines are joined in pairs in the direction of travel, clockwise round the pass (top roll from left to right, bottom
 //! roll from right to left): that gives the published lists, which are not the same left and right.
 
-mod drive;
+pub(super) mod drive;
 mod ends;
 mod face;
 mod frame;
@@ -64,6 +64,7 @@ use super::bends::Stage;
 use super::strip::{Strip, along};
 use crate::document::{ElementName, RollKind, RollSet};
 use crate::geometry::{Contour, Segment};
+pub use drive::DriveZone;
 pub use frame::Frame;
 pub use opening::Openings;
 

@@ -17,9 +17,9 @@ pub(super) fn check(subject: &Subject<'_>) -> Vec<Diagnostic> {
     ];
     let bad = lengths.into_iter().filter(|&(_, value)| value <= 0.0);
     let mut found: Vec<Diagnostic> = bad.map(|(what, value)| report(what, subject.length(value))).collect();
-    if line.gear_ratio <= 0.0 {
-        found.push(report("ratio of the shafts' speeds", line.gear_ratio.to_string()));
-    }
+    let figures = [("ratio of the shafts' speeds", line.gear_ratio), ("speed of the bottom shafts", line.bottom_rpm)];
+    let bad = figures.into_iter().filter_map(|(what, value)| Some((what, value.filter(|v| *v <= 0.0)?)));
+    found.extend(bad.map(|(what, value)| report(what, value.to_string())));
     found
 }
 
@@ -36,7 +36,8 @@ mod tests {
         set.line.station_pitch = 0.0;
         set.line.shaft_diameter = -1.0;
         set.line.side_shaft_diameter = 0.0;
-        set.line.gear_ratio = 0.0;
-        assert_eq!(found(check, &set).len(), 4);
+        set.line.gear_ratio = Some(0.0);
+        set.line.bottom_rpm = Some(-3.0);
+        assert_eq!(found(check, &set).len(), 5);
     }
 }

@@ -15,6 +15,7 @@ mod no_elements;
 mod opposite_bend;
 mod other_side;
 mod own_factor;
+mod rates;
 mod sharpening;
 mod strip_material;
 mod thickness;
@@ -34,7 +35,7 @@ use subject::Subject;
 type Rule = fn(&Subject<'_>) -> Vec<Diagnostic>;
 
 /// The rules in the order of their messages.
-const RULES: [Rule; 21] = [
+const RULES: [Rule; 22] = [
     thickness::check,
     strip_material::check,
     line_figures::check,
@@ -56,6 +57,7 @@ const RULES: [Rule; 21] = [
     composite::check,
     sharpening::check,
     unfinished::check,
+    rates::check,
 ];
 
 /// What the rules have to say about the cross-section and the flower of a set in mm. Messages are in `unit`.

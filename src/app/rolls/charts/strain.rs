@@ -1,5 +1,6 @@
 //! Mean and peak strain of the edges at every station, on a scale of powers of ten: they differ manifold.
 
+use crate::app::rolls::flower::name_of;
 use crate::app::rolls::select_station;
 use crate::app::theme::{self, Colors};
 use crate::document::RollSet;
@@ -152,7 +153,7 @@ fn station(
     if let Some(id) = id.filter(|_| response.clicked()) {
         select_station(session, id);
     }
-    response.on_hover_text(detail(strain, limit));
+    response.on_hover_text(detail(strain, limit, set));
 }
 
 /// A value above its bar, readable over the lines of the scale.
@@ -164,7 +165,7 @@ fn value_on(painter: &Painter, at: Pos2, text: &str, ink: Color32, ground: Color
 }
 
 /// What is behind the two bars of a station.
-fn detail(strain: &StationStrain, limit: f64) -> String {
+fn detail(strain: &StationStrain, limit: f64, set: &RollSet) -> String {
     let [left, right] = strain.edge_way;
     let mut text = format!(
         "Way of the left edge {left:.2} mm, of the right edge {right:.2} mm\nMean {} (straight from station to station)\nPeak {} (along the deformation length)\nYield strain {}",
@@ -174,10 +175,10 @@ fn detail(strain: &StationStrain, limit: f64) -> String {
     );
     for bend in &strain.bends {
         let (leg, step, length) = (bend.leg, bend.step_rad.to_degrees(), bend.deformation_length);
-        let (side, id, peak) = (bend.side.name(), bend.element, percent(bend.peak));
+        let (side, name, peak) = (bend.side.name(), name_of(set, bend.element), percent(bend.peak));
         _ = write!(
             text,
-            "\n{side} id {id}: leg {leg:.2} mm, {step:.1}°, deformation length {length:.0} mm, peak {peak}"
+            "\n{side}, {name}: leg {leg:.2} mm, {step:.1}°, deformation length {length:.0} mm, peak {peak}"
         );
     }
     text

@@ -1,5 +1,7 @@
 //! What is checked of the rolls of a station: one file a rule.
 
+mod drive_falls;
+mod drive_ratio;
 mod extensions;
 mod no_strip;
 mod openings;
@@ -29,7 +31,7 @@ impl Checked<'_> {
 /// Everything that is to be said about a station and its rolls.
 pub(in crate::rollform) fn check(set: &RollSet, station: &Station, design: &StationDesign) -> Vec<Diagnostic> {
     let checked = Checked { set, station, design };
-    let rules: [fn(&Checked<'_>) -> Vec<Diagnostic>; 7] = [
+    let rules: [fn(&Checked<'_>) -> Vec<Diagnostic>; 8] = [
         no_strip::check,
         openings::check,
         tolerance::check,
@@ -37,8 +39,14 @@ pub(in crate::rollform) fn check(set: &RollSet, station: &Station, design: &Stat
         references::check,
         thin::check,
         overlap::check,
+        drive_ratio::check,
     ];
     if station.without_rolls { Vec::new() } else { rules.iter().flat_map(|rule| rule(&checked)).collect() }
+}
+
+/// Everything that is to be said about stations that follow one another.
+pub(in crate::rollform) fn check_line(stations: &[StationDesign]) -> Vec<Diagnostic> {
+    drive_falls::check(stations)
 }
 
 #[cfg(test)]
@@ -78,6 +86,10 @@ mod tests {
             codes(|s| s.stations[2].side_right.as_mut().unwrap().axis_distance = 40.0).first().unwrap(),
             "roll-thin"
         );
+        assert_eq!(codes(|s| s.line.gear_ratio = Some(1.0)), ["roll-drive-ratio"; 3]);
+        assert_eq!(codes(|s| s.stations[1].gear_ratio = Some(1.33)), Vec::<String>::new());
+        assert_eq!(codes(|s| s.stations[1].gear_ratio = Some(0.0)), ["gear-ratio"]);
+        assert_eq!(codes(|s| s.stations[1].pass_height = 71.0), ["roll-drive-falls"]);
         assert!(codes(|s| s.section.thickness = 0.0).contains(&"roll-no-strip".to_owned()));
     }
 

@@ -3,7 +3,7 @@
 use super::json::{Fields, MOST, Reader};
 use crate::document::{
     Content, CrossSection, DevelopedWidth, Document, Element, ElementKind, FORMAT_VERSION, FormingLine, Opening,
-    Origin, RollSet, Sharpening, StripMaterial,
+    Origin, Rates, RollSet, Sharpening, StripMaterial,
 };
 use crate::units::Unit;
 
@@ -21,7 +21,8 @@ const LINE_MM: FormingLine = FormingLine {
     station_pitch: 300.0,
     shaft_diameter: 50.0,
     side_shaft_diameter: 30.0,
-    gear_ratio: 1.0,
+    gear_ratio: None,
+    bottom_rpm: None,
     drawn_gap: 10.0,
 };
 
@@ -63,6 +64,7 @@ pub(super) fn set(section: CrossSection) -> RollSet {
         line: LINE_MM,
         stations: Vec::new(),
         form_tolerance: FORM_TOLERANCE_MM,
+        rates: Rates::default(),
         rolls: Vec::new(),
     }
 }
