@@ -31,6 +31,8 @@ pub enum Pane {
     Transfer,
     /// Elements of the cross-section.
     Elements,
+    /// The finished cross-section.
+    CrossSection,
     /// Bend angles by element and station.
     Angles,
     /// The way of the strip through the stations.
@@ -84,6 +86,7 @@ impl Pane {
             Self::Inspector => "Inspector",
             Self::Transfer => "Transfer",
             Self::Elements => "Elements",
+            Self::CrossSection => "Cross-section",
             Self::Angles => "Bend angles",
             Self::Flower => "Flower",
             Self::Station => "Station",
@@ -113,13 +116,15 @@ const PART_PANES: [Pane; 9] = [
     Pane::Transfer,
 ];
 
-const ROLL_PANES: [Pane; 13] = [
+const ROLL_PANES: [Pane; 15] = [
     Pane::Elements,
     Pane::Angles,
     Pane::Flower,
+    Pane::CrossSection,
     Pane::Station,
     Pane::RollEditor,
     Pane::Cut,
+    Pane::Solid,
     Pane::Charts,
     Pane::Program,
     Pane::Operations,

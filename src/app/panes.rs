@@ -29,13 +29,15 @@ pub(crate) fn show(
         Pane::Cut => cut(ui, titled, session, views, requests),
         Pane::Program => program::show(ui, &mut views.program, session, requests, titled),
         Pane::Problems => problems::show(ui, &mut views.problems, session, requests, titled),
-        Pane::Solid => solid(ui, titled, session, views),
+        Pane::Solid if session.document().content.roll_set().is_none() => solid(ui, titled, session, views),
         Pane::Inspector => inspector::show(ui, &mut views.operations, session, requests, titled),
         Pane::Transfer => transfer::show(ui, transfer, session, requests, titled),
         Pane::Elements
         | Pane::Angles
         | Pane::Flower
+        | Pane::CrossSection
         | Pane::Station
+        | Pane::Solid
         | Pane::StationData
         | Pane::RollEditor
         | Pane::RollList

@@ -10,6 +10,7 @@ pub mod die;
 pub mod drive;
 pub mod editor;
 pub mod flower;
+pub mod loft;
 pub mod part;
 pub mod properties;
 pub mod roll;

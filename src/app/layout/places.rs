@@ -20,15 +20,17 @@ pub(super) fn part(panes: [Pane; 9]) -> Places {
 }
 
 /// Elements over angles, flower over station over charts, data of the station over the rolls.
-pub(super) fn rolls(panes: [Pane; 13]) -> Places {
+pub(super) fn rolls(panes: [Pane; 15]) -> Places {
     let mut tiles = Tiles::default();
     let [
         elements,
         angles,
         flower,
+        section,
         station,
         editor,
         cut,
+        solid,
         charts,
         program,
         operations,
@@ -37,11 +39,12 @@ pub(super) fn rolls(panes: [Pane; 13]) -> Places {
         list,
         transfer,
     ] = panes.map(|p| tiles.insert_pane(p));
-    let shape = tiles.insert_tab_tile(vec![station, editor, cut]);
+    let strip = tiles.insert_tab_tile(vec![flower, section]);
+    let shape = tiles.insert_tab_tile(vec![station, solid, editor, cut]);
     let text = tiles.insert_tab_tile(vec![charts, program, operations, problems]);
     let hand = tiles.insert_tab_tile(vec![list, transfer]);
     let left = column(&mut tiles, &[(elements, 0.58), (angles, 0.42)]);
-    let middle = column(&mut tiles, &[(flower, 0.29), (shape, 0.45), (text, 0.26)]);
+    let middle = column(&mut tiles, &[(strip, 0.31), (shape, 0.44), (text, 0.25)]);
     let right = column(&mut tiles, &[(station_data, 0.5), (hand, 0.5)]);
     let root = row(&mut tiles, &[(left, 0.285), (middle, 0.515), (right, 0.2)]);
     (tiles, root)

@@ -11,7 +11,7 @@ use crate::geometry::{Point, Vector};
 use crate::part::PartContour;
 use crate::proof::ProofReport;
 use crate::regen::SetupDerived;
-use egui::{Align2, Color32, Event, EventFilter, FontId, Key, Mesh, Pos2, Rect, Response, Sense, Ui, Vec2};
+use egui::{Align2, Color32, Event, EventFilter, FontId, Key, Mesh, Painter, Pos2, Rect, Response, Sense, Ui, Vec2};
 use nalgebra::{Point3, Rotation3, Vector3};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::Arc;
@@ -45,21 +45,36 @@ pub struct SolidScene<'a> {
     pub palette: &'a Palette,
 }
 
-/// What the view in the round keeps from frame to frame.
-#[derive(Debug)]
-pub struct SolidView {
+/// From where a body is seen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Pose {
     /// Turn about the upright axis of the screen, radians.
-    turn: f64,
+    pub turn: f64,
     /// Tilt towards the viewer, radians.
-    tilt: f64,
-    zoom: f64,
-    made: Option<(Key3d, Arc<Mesh>)>,
+    pub tilt: f64,
+    /// 1 shows all of it.
+    pub zoom: f64,
 }
 
-impl Default for SolidView {
+impl Default for Pose {
     fn default() -> Self {
-        Self { turn: -0.55, tilt: 0.38, zoom: 1.0, made: None }
+        Self { turn: -0.55, tilt: 0.38, zoom: 1.0 }
     }
+}
+
+impl Pose {
+    /// To the viewer's space: x right, y up, z towards the viewer.
+    pub(super) fn rotation(&self) -> Rotation3<f64> {
+        Rotation3::from_axis_angle(&Vector3::x_axis(), self.tilt)
+            * Rotation3::from_axis_angle(&Vector3::y_axis(), self.turn)
+    }
+}
+
+/// What the view in the round keeps from frame to frame.
+#[derive(Debug, Default)]
+pub struct SolidView {
+    pose: Pose,
+    made: Option<(Key3d, Arc<Mesh>)>,
 }
 
 /// Everything that a mesh follows from.
@@ -69,7 +84,7 @@ struct Key3d {
     bore: Arc<Option<PartContour>>,
     proof: Arc<ProofReport>,
     stock: Option<usize>,
-    pose: (f64, f64, f64),
+    pose: Pose,
     rect: Rect,
     color: Color32,
 }
@@ -90,14 +105,14 @@ pub fn solid_view(ui: &mut Ui, view: &mut SolidView, scene: &SolidScene<'_>) {
     let response = ui.allocate_response(ui.available_size().max(Vec2::splat(40.0)), Sense::click_and_drag());
     let name = format!("{} in the round", scene.derived.name);
     response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, &name));
-    turn_by_hand(ui, view, &response);
+    turn_by_hand(ui, &mut view.pose, Pose::default(), &response);
     let stock = scene.stock_at_s.map(|time_s| super::cut::stock_index_at(scene.derived, time_s));
     let key = Key3d {
         contour: Arc::clone(&scene.derived.contour),
         bore: Arc::clone(&scene.derived.bore),
         proof: Arc::clone(&scene.derived.proof),
         stock,
-        pose: (view.turn, view.tilt, view.zoom),
+        pose: view.pose,
         rect: response.rect,
         color: if stock.is_some() { scene.palette.stock_edge } else { scene.palette.part_solid() },
     };
@@ -110,12 +125,23 @@ pub fn solid_view(ui: &mut Ui, view: &mut SolidView, scene: &SolidScene<'_>) {
             view.made = Some((key, mesh));
         }
     }
-    let hint = response.rect.left_bottom() + Vec2::new(8.0, -6.0);
-    let text = "drag turns · wheel zooms · double click resets";
-    painter.text(hint, Align2::LEFT_BOTTOM, text, FontId::proportional(10.5), faded(scene.palette.quiet, 0.9));
+    hint(&painter, response.rect, faded(scene.palette.quiet, 0.9));
 }
 
-fn turn_by_hand(ui: &Ui, view: &mut SolidView, response: &Response) {
+/// Says how the view is turned.
+pub(super) fn hint(painter: &Painter, rect: Rect, color: Color32) {
+    let text = "drag turns · wheel zooms · double click resets";
+    painter.text(
+        rect.left_bottom() + Vec2::new(8.0, -6.0),
+        Align2::LEFT_BOTTOM,
+        text,
+        FontId::proportional(10.5),
+        color,
+    );
+}
+
+/// Turns a view as the person does; `home` is where a double click brings it.
+pub(super) fn turn_by_hand(ui: &Ui, view: &mut Pose, home: Pose, response: &Response) {
     if response.dragged() {
         let delta = response.drag_delta();
         view.turn += f64::from(delta.x) * DRAG;
@@ -125,7 +151,7 @@ fn turn_by_hand(ui: &Ui, view: &mut SolidView, response: &Response) {
         response.request_focus();
     }
     if response.double_clicked() {
-        *view = SolidView { made: view.made.take(), ..SolidView::default() };
+        *view = home;
     }
     if ui.rect_contains_pointer(response.rect) {
         let (scroll, pinch) = ui.input(|i| (i.smooth_scroll_delta().y, i.zoom_delta()));
@@ -134,13 +160,13 @@ fn turn_by_hand(ui: &Ui, view: &mut SolidView, response: &Response) {
     if response.has_focus() {
         let filter = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
         ui.memory_mut(|m| m.set_focus_lock_filter(response.id, filter));
-        ui.input(|i| i.events.iter().for_each(|event| turn_by_key(view, event)));
+        ui.input(|i| i.events.iter().for_each(|event| turn_by_key(view, home, event)));
     }
     view.tilt = view.tilt.clamp(-FRAC_PI_2, FRAC_PI_2);
     view.zoom = view.zoom.clamp(ZOOMS.0, ZOOMS.1);
 }
 
-fn turn_by_key(view: &mut SolidView, event: &Event) {
+fn turn_by_key(view: &mut Pose, home: Pose, event: &Event) {
     let Event::Key { key, pressed: true, modifiers, .. } = event else { return };
     if modifiers.command || modifiers.alt {
         return;
@@ -148,7 +174,7 @@ fn turn_by_key(view: &mut SolidView, event: &Event) {
     match key {
         Key::Plus | Key::Equals => view.zoom *= KEY_ZOOM,
         Key::Minus => view.zoom /= KEY_ZOOM,
-        Key::F => *view = SolidView { made: view.made.take(), ..SolidView::default() },
+        Key::F => *view = home,
         _ => {
             let way = arrow(*key).unwrap_or_default();
             view.turn += f64::from(way.x) * KEY_TURN;
@@ -168,7 +194,7 @@ fn build(derived: &SetupDerived, key: &Key3d) -> Mesh {
 /// The surface that `outline` sweeps about the spindle axis, seen in `rect`, nearest faces last.
 ///
 /// The outline runs from the axis to the axis with the material on its right hand.
-fn revolve(outline: &[Point], (turn, tilt, zoom): (f64, f64, f64), rect: Rect, color: Color32) -> Mesh {
+fn revolve(outline: &[Point], view: Pose, rect: Rect, color: Color32) -> Mesh {
     let outline = reduced(outline);
     let mut mesh = Mesh::default();
     let Some(bounds) = crate::geometry::Bounds::around(outline.iter().copied().filter(|p| p.is_finite())) else {
@@ -177,10 +203,9 @@ fn revolve(outline: &[Point], (turn, tilt, zoom): (f64, f64, f64), rect: Rect, c
     let middle = f64::midpoint(bounds.min.z, bounds.max.z);
     let across = Vector::new(bounds.max.z - bounds.min.z, 2.0 * bounds.max.r).norm().max(1e-9);
     // The height at this tilt, however the part is turned: a scale that followed the turn would breathe.
-    let tall = 2.0 * bounds.max.r * tilt.cos().abs() + across * tilt.sin().abs();
-    let scale = (f64::from(rect.width()) / across).min(f64::from(rect.height()) / tall.max(1e-9)) * FILLED * zoom;
-    let pose =
-        Rotation3::from_axis_angle(&Vector3::x_axis(), tilt) * Rotation3::from_axis_angle(&Vector3::y_axis(), turn);
+    let tall = 2.0 * bounds.max.r * view.tilt.cos().abs() + across * view.tilt.sin().abs();
+    let scale = (f64::from(rect.width()) / across).min(f64::from(rect.height()) / tall.max(1e-9)) * FILLED * view.zoom;
+    let pose = view.rotation();
     let mut faces: Vec<Face> = outline
         .windows(2)
         .flat_map(|pair| (0..AROUND).filter_map(move |k| Face::new(pair, k, middle, &pose)))
@@ -211,8 +236,7 @@ impl Face {
         let normal = Vector::new(-(b.r - a.r), b.z - a.z).try_normalize(0.0)?;
         let normal = pose * Vector3::new(normal.x, normal.y * half.cos(), normal.y * half.sin());
         let depth = corners.iter().map(|c| c.z).sum::<f64>() / 4.0;
-        let lamp = normal.dot(&Vector3::new(-0.35, 0.7, 0.62)).max(0.0);
-        let light = LIGHT[0] + LIGHT[1] * lamp + LIGHT[2] * normal.z.max(0.0);
+        let light = lit(&normal);
         (normal.z > -1e-3).then_some(Self { corners, depth, light })
     }
 
@@ -230,9 +254,15 @@ impl Face {
     }
 }
 
+/// Light on a surface with this normal in the viewer's space, 0 to 1.
+pub(super) fn lit(normal: &Vector3<f64>) -> f64 {
+    let lamp = normal.dot(&Vector3::new(-0.35, 0.7, 0.62)).max(0.0);
+    LIGHT[0] + LIGHT[1] * lamp + LIGHT[2] * normal.z.max(0.0)
+}
+
 /// `color` under `light` from 0 to 1.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 0..=255")]
-fn shaded(color: Color32, light: f32) -> Color32 {
+pub(super) fn shaded(color: Color32, light: f32) -> Color32 {
     let part = |c: u8| (f32::from(c) * light).clamp(0.0, 255.0) as u8;
     Color32::from_rgb(part(color.r()), part(color.g()), part(color.b()))
 }
@@ -252,13 +282,15 @@ mod tests {
 
     const RECT: Rect = Rect { min: pos2(0.0, 0.0), max: pos2(400.0, 200.0) };
 
+    const LEVEL: Pose = Pose { turn: 0.0, tilt: 0.0, zoom: 1.0 };
+
     fn cylinder() -> Vec<Point> {
         [(0.0, 0.0), (0.0, 10.0), (40.0, 10.0), (40.0, 0.0)].map(|(z, r)| Point::new(z, r)).to_vec()
     }
 
     #[test]
     fn about_half_of_a_cylinder_is_seen() {
-        let mesh = revolve(&cylinder(), (0.0, 0.0, 1.0), RECT, Color32::WHITE);
+        let mesh = revolve(&cylinder(), LEVEL, RECT, Color32::WHITE);
         let seen = mesh.indices.len() / 6;
         assert!((AROUND / 2..=2 * AROUND + AROUND / 2 + 2).contains(&seen), "{seen}");
         assert!(mesh.is_valid());
@@ -267,16 +299,16 @@ mod tests {
     #[test]
     fn everything_stays_in_view_however_it_is_turned() {
         for turn in [-2.0, 0.0, 0.7, 3.0] {
-            let mesh = revolve(&cylinder(), (turn, 0.5, 1.0), RECT, Color32::WHITE);
+            let mesh = revolve(&cylinder(), Pose { turn, tilt: 0.5, zoom: 1.0 }, RECT, Color32::WHITE);
             assert!(mesh.vertices.iter().all(|v| RECT.contains(v.pos)));
         }
     }
 
     #[test]
     fn an_outline_without_points_is_no_surface() {
-        assert!(revolve(&[], (0.0, 0.0, 1.0), RECT, Color32::WHITE).is_empty());
+        assert!(revolve(&[], LEVEL, RECT, Color32::WHITE).is_empty());
         let broken = [Point::new(f64::NAN, 1.0), Point::new(f64::NAN, 2.0)];
-        assert!(revolve(&broken, (0.0, 0.0, 1.0), RECT, Color32::WHITE).is_empty());
+        assert!(revolve(&broken, LEVEL, RECT, Color32::WHITE).is_empty());
     }
 
     #[test]

@@ -1,11 +1,12 @@
 //! The bend angles of every element at every station, as a matrix.
 
+use super::composites::Composites;
 use super::{RollsViews, words};
 use crate::app::desk::Requests;
 use crate::app::sheet::{self, Cell, Change, Heading, Sheet, SheetView, Takes};
-use crate::app::widgets::{link, title_row};
+use crate::app::widgets::{link, title_row, toggle};
 use crate::diagnostic::{Place, Severity};
-use crate::document::{BendAngle, Document, Element, ElementKind, RollSet, Station};
+use crate::document::{BendAngle, Document, Element, ElementKind, RollSet, Sharpening, Station};
 use crate::rollform::bends::{Stage, angles_deg};
 use crate::session::Session;
 use egui::Ui;
@@ -15,6 +16,9 @@ use std::collections::BTreeMap;
 #[derive(Debug, Default)]
 pub(super) struct AnglesView {
     sheet: SheetView,
+    composites: SheetView,
+    /// Show the composite bends in place of the angles.
+    parts: bool,
 }
 
 /// Shows the panel; true if it is dragged by its title.
@@ -28,10 +32,24 @@ pub(super) fn show(
     let document = std::sync::Arc::clone(session.document());
     let Some(set) = document.content.roll_set() else { return false };
     let mut add = false;
-    let dragged = title_row(ui, titled.then_some("Bend angles"), "cumulative, °", |ui| {
-        add = link(ui, "+ Station").on_hover_text("Add a station with all bends at their finished angles").clicked();
-        super::suggest::show(ui, &mut views.suggest, session);
+    let view = &mut views.angles;
+    let remark = if view.parts { "formed in parts" } else { "cumulative, °" };
+    let dragged = title_row(ui, titled.then_some("Bend angles"), remark, |ui| {
+        if view.parts {
+            add = link(ui, "+ Bend")
+                .on_hover_text("Form a bend from a straight piece, an arc and a straight piece")
+                .clicked();
+        } else {
+            add =
+                link(ui, "+ Station").on_hover_text("Add a station with all bends at their finished angles").clicked();
+            super::suggest::show(ui, &mut views.suggest, session);
+        }
+        toggle(ui, &mut view.parts, "parts").on_hover_text("Bends that are formed as line, arc and line by percentage");
     });
+    if view.parts {
+        composites(ui, view, set, add, session, requests);
+        return dragged;
+    }
     if add {
         session.edit("add a station", None, add_station);
     }
@@ -39,6 +57,28 @@ pub(super) fn show(
     let height = ui.available_height();
     sheet::show(ui, &angles, &mut views.angles.sheet, session, requests, height);
     dragged
+}
+
+/// The table of composite bends.
+fn composites(
+    ui: &mut Ui,
+    view: &mut AnglesView,
+    set: &RollSet,
+    add: bool,
+    session: &mut Session,
+    requests: &mut Requests,
+) {
+    let table = Composites::new(set, session);
+    if add {
+        let end = table.rows();
+        session.edit("add a composite bend", None, |document| _ = table.change(document, &Change::Insert(end)));
+        view.composites.go_to(end, 1);
+    }
+    if set.composites.is_empty() {
+        return crate::app::widgets::remark(ui, &super::composites::nothing_yet(set));
+    }
+    let height = ui.available_height();
+    sheet::show(ui, &table, &mut view.composites, session, requests, height);
 }
 
 /// The first message about every angle: at a station, with the bend beside it.
@@ -83,6 +123,14 @@ impl<'a> Angles<'a> {
         }
     }
 
+    /// Whether radii are sharpened at a station.
+    fn sharpened(&self, column: usize) -> Cell {
+        let Some(station) = self.set.stations.get(column) else { return Cell::default() };
+        let sharp = is_sharp(self.set, column, station.id);
+        let text = SHARP[usize::from(sharp)].to_owned();
+        Cell { text, takes: Takes::Words(&SHARP), strong: sharp, wrong: None }
+    }
+
     /// True if the angle was entered at this station, not carried over.
     fn is_entered(&self, station: usize, element: u32) -> bool {
         self.set.stations.get(station).is_some_and(|s| s.bends.iter().any(|bend| bend.element == element))
@@ -98,20 +146,17 @@ impl Sheet for Angles<'_> {
         &self.headings
     }
 
+    /// The bends, and below them whether their radii are sharpened.
     fn rows(&self) -> usize {
-        self.bends.len()
+        self.bends.len() + 1
     }
 
     fn number(&self, row: usize) -> String {
-        let section = &self.set.section;
-        let Some(bend) = self.bends.get(row) else { return String::new() };
-        let in_list = |list: &[Element]| list.iter().position(|e| e.id == bend.id).map(|index| index + 1);
-        let other = || in_list(&section.other_side).map(|n| format!("{n}'"));
-        in_list(&section.elements).map(|n| n.to_string()).or_else(other).unwrap_or_default()
+        self.bends.get(row).map_or_else(|| "r".to_owned(), |bend| words::number(self.set, bend.id))
     }
 
     fn cell(&self, row: usize, column: usize) -> Cell {
-        let Some(bend) = self.bends.get(row) else { return Cell::default() };
+        let Some(bend) = self.bends.get(row) else { return self.sharpened(column) };
         if let Some(angles) = self.at_stations.get(column) {
             Cell {
                 text: words::angle(angles.get(&bend.id).copied().unwrap_or_default()),
@@ -126,7 +171,8 @@ impl Sheet for Angles<'_> {
     }
 
     fn write(&self, document: &mut Document, row: usize, column: usize, text: &str) -> Result<(), String> {
-        let (Some(bend), Some(set)) = (self.bends.get(row), super::set_mut(document)) else { return Ok(()) };
+        let Some(set) = super::set_mut(document) else { return Ok(()) };
+        let Some(bend) = self.bends.get(row) else { return sharpen(set, column, text) };
         let carried = text.trim().is_empty() || text.trim() == "–";
         if let Some(station) = set.stations.get_mut(column) {
             let angle = if carried { None } else { Some(words::parse_angle(text)?) };
@@ -159,6 +205,38 @@ impl Sheet for Angles<'_> {
     }
 }
 
+/// Radii open with the angle, or have their finished size at once.
+const SHARP: [&str; 2] = ["open", "sharp"];
+
+fn is_sharp(set: &RollSet, index: usize, id: u32) -> bool {
+    match &set.sharpening {
+        Sharpening::None => false,
+        Sharpening::AllButLast => index + 1 < set.stations.len(),
+        Sharpening::Stations(ids) => ids.contains(&id),
+    }
+}
+
+/// Sharpens the radii at a station, or no longer; what holds at the others stays.
+fn sharpen(set: &mut RollSet, column: usize, text: &str) -> Result<(), String> {
+    let sharp = match text.trim().to_lowercase().as_str() {
+        "sharp" => true,
+        "open" | "" | "–" => false,
+        other => return Err(format!("“{other}” says nothing of radii. Type sharp or open.")),
+    };
+    let Some(id) = set.stations.get(column).map(|station| station.id) else { return Ok(()) };
+    if is_sharp(set, column, id) == sharp {
+        return Ok(());
+    }
+    let others = set
+        .stations
+        .iter()
+        .enumerate()
+        .filter(|(index, s)| if *index == column { sharp } else { is_sharp(set, *index, s.id) });
+    let ids: Vec<u32> = others.map(|(_, s)| s.id).collect();
+    set.sharpening = if ids.is_empty() { Sharpening::None } else { Sharpening::Stations(ids) };
+    Ok(())
+}
+
 /// Enters the angle of a bend at a station; without one it is carried over from the station before.
 pub(super) fn set_angle(station: &mut Station, element: u32, angle_deg: Option<f64>) {
     station.bends.retain(|bend| bend.element != element || angle_deg.is_some());
@@ -183,4 +261,23 @@ fn add_station(document: &mut Document) {
         None => Station { bends, ..Station::new(id, &set.line) },
     };
     set.stations.push(station);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rollform::fixtures::vee;
+
+    #[test]
+    fn radii_are_sharpened_station_by_station() {
+        let mut set = vee(&[30.0, 60.0, 90.0]);
+        sharpen(&mut set, 1, "sharp").unwrap();
+        assert_eq!(set.sharpening, Sharpening::Stations(vec![2]));
+        set.sharpening = Sharpening::AllButLast;
+        sharpen(&mut set, 0, "open").unwrap();
+        assert_eq!(set.sharpening, Sharpening::Stations(vec![2]));
+        sharpen(&mut set, 1, "open").unwrap();
+        assert_eq!(set.sharpening, Sharpening::None);
+        assert!(sharpen(&mut set, 1, "blunt").is_err());
+    }
 }

@@ -33,6 +33,12 @@ pub(super) struct ElementsView {
 }
 
 impl ElementsView {
+    /// Selects an element and shows the list that it is in, without taking the keyboard.
+    pub(super) fn select(&mut self, session: &mut Session, set: &RollSet, id: u32) {
+        self.other_side = set.section.other_side.iter().any(|e| e.id == id);
+        session.selection.element = Some(id);
+    }
+
     /// Puts the cursor on an element, as when a message about it is clicked.
     pub(super) fn go_to(&mut self, set: &RollSet, id: u32) {
         let row = |list: &[Element]| list.iter().position(|e| e.id == id);

@@ -148,7 +148,8 @@ fn buttons(ui: &mut Ui, view: &mut FlowerView, flower: &Flower, session: &mut Se
         ui.spacing_mut().item_spacing.x = 8.0;
         ui.add_space(8.0);
     }
-    if toggle(ui, &mut view.side_by_side, "side by side").clicked() {
+    let separate = toggle(ui, &mut view.side_by_side, "side by side");
+    if separate.on_hover_text("Every stage with an origin of its own; otherwise all have one in common").clicked() {
         view.plot.canvas.fit();
     }
     let hint = format!("The strip after the rolls, sprung back: a guide value ({METHOD})");

@@ -2,11 +2,14 @@
 
 mod angles;
 mod charts;
+mod composites;
 mod editor;
 mod elements;
 mod fields;
 mod flower;
 mod list;
+mod section;
+mod solid;
 mod station;
 mod station_data;
 mod strip_data;
@@ -31,6 +34,8 @@ pub(crate) struct RollsViews {
     charts: charts::ChartsView,
     editor: editor::EditorView,
     list: list::ListView,
+    section: section::SectionView,
+    solid: solid::RoundView,
 }
 
 impl RollsViews {
@@ -61,8 +66,10 @@ pub(crate) fn show(
         Pane::Elements => elements::show(ui, titled, session, views, requests),
         Pane::Angles => angles::show(ui, titled, session, views, requests),
         Pane::Flower => flower::show(ui, titled, session, views, requests),
+        Pane::CrossSection => section::show(ui, titled, session, views, requests),
         Pane::Charts => charts::show(ui, titled, session, views, requests),
         Pane::Station => station::show(ui, titled, session, views, requests),
+        Pane::Solid => solid::show(ui, titled, session, views),
         Pane::StationData => station_data::show(ui, titled, session, views, requests),
         Pane::RollEditor => editor::show(ui, titled, session, views, requests),
         Pane::RollList => list::show(ui, titled, session, views, requests),
