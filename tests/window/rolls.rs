@@ -185,7 +185,8 @@ fn a_roll_is_sent_until_it_is_another_one() {
     window.harness.get_by_label_contains("Send to").click();
     window.until("sent", |desk| desk.transfer_outcome().is_some());
     window.until_current();
-    window.click("Rolls");
+    window.harness.get_by_role_and_label(Role::Tab, "Rolls").click();
+    window.harness.run_steps(3);
     let outcome = window.desk().transfer_outcome().map(ToString::to_string);
     assert!(window.harness.query_by_label("Roll 1470b-1T: sent").is_some(), "{}: {outcome:?}", program.name);
     window.session().edit("another tolerance", None, |document| {
