@@ -15,8 +15,8 @@ impl Columns {
         }
     }
 
-    /// The inside of a convex ring, counter-clockwise.
-    fn of_convex(ring: &[GridPoint]) -> Self {
+    /// The inside of a convex ring, counter-clockwise, with three corners at least.
+    pub(super) fn of_convex(ring: &[GridPoint]) -> Self {
         let count = ring.len();
         let mut columns = Self::with_capacity(count);
         let Some(first) = (0..count).min_by_key(|&i| ring[i].x) else { return columns };
@@ -66,7 +66,7 @@ impl Border<'_> {
     }
 }
 
-/// True if a ring turns left everywhere and once around.
+/// True if a ring turns left everywhere and once around. A point that comes twice would hide how the ring turns there.
 fn is_convex(ring: &[GridPoint]) -> bool {
     let count = ring.len();
     let corner = |i: usize| [ring[i], ring[(i + 1) % count], ring[(i + 2) % count]];
@@ -77,7 +77,7 @@ fn is_convex(ring: &[GridPoint]) -> bool {
     count >= 3
         && (0..count).all(|i| {
             let [a, b, c] = corner(i);
-            super::grid::turn(a, b, c) >= 0
+            a != b && super::grid::turn(a, b, c) >= 0
         })
         && (0..count).filter(turns_back).count() == 1
 }
@@ -153,5 +153,26 @@ impl Scan {
             }
         }
         self.columns.push(from, to, &self.spans);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::grid::area_of;
+    use super::*;
+
+    #[test]
+    fn a_point_that_comes_twice_hides_no_hollow_corner() {
+        // A stepped bar from its hollow corner, which is the only one, and closed by the same point.
+        let step = [(5000, 5000), (0, 5000), (0, 0), (9000, 0), (9000, 2000), (5000, 2000), (5000, 5000)];
+        let corners = [(5000, 2000), (5000, 5000), (0, 5000), (0, 0), (9000, 0), (9000, 2000), (5000, 2000)];
+        for points in [step, corners] {
+            let ring: Ring = points.iter().map(|&(x, y)| GridPoint::new(x, y)).collect();
+            let columns = Columns::of_rings(std::slice::from_ref(&ring));
+            assert!(!is_convex(&ring));
+            assert!((columns.area_mm2() - area_of(&[ring])).abs() < 1e-12);
+        }
+        let square: Ring = [(0, 0), (9, 0), (9, 9), (0, 9)].iter().map(|&(x, y)| GridPoint::new(x, y)).collect();
+        assert!(is_convex(&square));
     }
 }
