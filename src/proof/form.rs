@@ -18,6 +18,8 @@ const MOST_SAMPLES: u32 = 64;
 pub(super) struct Form {
     /// Outside and bore.
     pieces: Strips<Piece>,
+    /// For every strip the largest radius that a piece in it reaches anywhere.
+    tops: Vec<f64>,
     may_cut: Vec<MayCut>,
     may_cut_inside: Vec<MayCut>,
 }
@@ -50,8 +52,11 @@ impl Form {
         // What lies on the axis is no surface.
         let surface = segments.filter(|segment| segment.bounds().max.r > ON_AXIS_MM);
         let pieces: Vec<_> = surface.flat_map(one_way).map(piece).collect();
+        let pieces = Strips::of(&pieces);
+        let top = |strip: &[Piece]| strip.iter().map(|piece| piece.bounds.max.r).fold(f64::NEG_INFINITY, f64::max);
         Self {
-            pieces: Strips::of(&pieces),
+            tops: pieces.each(top),
+            pieces,
             may_cut: work.may_cut.clone(),
             may_cut_inside: bore.map_or_else(Vec::new, |b| b.may_cut.clone()),
         }
@@ -82,11 +87,13 @@ impl Form {
     /// the ends and those points are enough as long as one segment is nearest; samples between catch the rest.
     fn deepest_on_edge(&self, a: Point, b: Point, deepest: &mut Option<Depth>) {
         let reach = Bounds { min: a, max: a }.including(b);
-        let near = || self.pieces.between(reach.min.z, reach.max.z);
-        if near().all(|piece| piece.bounds.max.r <= reach.min.r) {
+        if self.pieces.some_between(&self.tops, reach.min.z, reach.max.z).iter().all(|&top| top <= reach.min.r) {
             return;
         }
         let mut look = |at: Point| {
+            if self.pieces.one_at(&self.tops, at.z).is_none_or(|&top| top <= at.r) {
+                return;
+            }
             let mm = self.depth(at);
             if mm > deepest.map_or(0.0, |d| d.mm) {
                 *deepest = Some(Depth { mm, at });
@@ -100,7 +107,7 @@ impl Form {
         for k in 1..samples {
             look(a + along * (f64::from(k) / f64::from(samples)));
         }
-        for piece in near() {
+        for piece in self.pieces.between(reach.min.z, reach.max.z) {
             if let Segment::Arc { center, .. } = piece.segment {
                 let t = (center - a).dot(&along) / (length * length);
                 if t > 0.0 && t < 1.0 {

@@ -18,7 +18,7 @@ const NOTED_GOUGE_MM: f64 = 0.002;
 pub(super) struct Judge<'a> {
     work: &'a Work,
     machine: &'a Machine,
-    cutting: Cutting,
+    cutting: Cutting<'a>,
     form: Form,
     deepest: f64,
     /// Deepest gouge within the tolerance in the present program.
@@ -89,7 +89,9 @@ impl<'a> Judge<'a> {
         if cut.taken.is_empty() {
             return;
         }
-        if let Some(contact) = cut.contact() {
+        if must_not_cut(played)
+            && let Some(contact) = cut.contact()
+        {
             contact_findings(contact, played, place, findings);
         }
         self.gouge(cut, place, findings);
@@ -173,6 +175,11 @@ fn collisions(cut: &Cut, place: Place, findings: &mut Findings) {
         };
         hit(Some(contact), rule, kind, what);
     }
+}
+
+/// True if stock must not be touched: at the rapid feed, while the turret turns, or with the spindle at rest.
+fn must_not_cut(played: &Played) -> bool {
+    matches!(played.motion, Motion::Rapid | Motion::Pause) || played.rpm <= 0.0
 }
 
 fn contact_findings(contact: Contact, played: &Played, place: Place, findings: &mut Findings) {

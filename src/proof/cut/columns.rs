@@ -80,7 +80,12 @@ impl Columns {
 
     /// The columns from one number to before another.
     pub(super) fn between(&self, first: usize, end: usize) -> impl Iterator<Item = Column<'_>> {
-        (first..end.min(self.len())).filter_map(|index| self.get(index))
+        let mut begin = first.checked_sub(1).and_then(|before| self.heads.get(before)).map_or(0, |head| head.end);
+        self.heads.get(first..end.min(self.len())).unwrap_or(&[]).iter().map(move |head| {
+            let spans = &self.spans[begin..head.end];
+            begin = head.end;
+            Column { from: head.from, to: head.to, spans }
+        })
     }
 
     /// Where the material begins and ends; `None` without any.
@@ -143,16 +148,18 @@ impl Columns {
     /// Lengthens the last column if the spans are its own.
     fn continued(&mut self, from: i32, to: i32, spans: &[Span]) -> bool {
         let begin = self.heads.len().checked_sub(2).map_or(0, |before| self.heads[before].end);
-        let Some(last) = self.heads.last_mut() else { return false };
+        let Some(last) = self.heads.last_mut().filter(|last| last.to == from) else { return false };
         let own = &mut self.spans[begin..];
-        if last.to != from || own.len() != spans.len() {
-            return false;
-        }
-        if own.iter().zip(spans).any(|(a, b)| a.joined(b).is_none()) {
-            return false;
-        }
-        for (own, span) in own.iter_mut().zip(spans) {
-            *own = own.joined(span).unwrap_or(*own);
+        if let ([own], [span]) = (&mut *own, spans) {
+            let Some(joined) = own.joined(span) else { return false };
+            *own = joined;
+        } else {
+            if own.len() != spans.len() || own.iter().zip(spans).any(|(a, b)| a.joined(b).is_none()) {
+                return false;
+            }
+            for (own, span) in own.iter_mut().zip(spans) {
+                *own = own.joined(span).unwrap_or(*own);
+            }
         }
         last.to = to;
         true

@@ -11,6 +11,7 @@ use super::overlap::Overlap;
 use super::stock::Stock;
 use super::sweep::{covered, met};
 use crate::geometry::{Bounds, Point};
+use std::borrow::Cow;
 
 /// Stock overlapped by less than this area, mm², is not touched: 1 µm over a length of 1 mm.
 pub(in crate::proof) const CONTACT_AREA_MM2: f64 = 0.001;
@@ -65,12 +66,19 @@ impl Touched {
     }
 
     /// Adds what is in front of edges that must not meet stock on a straight step, before the insert cuts.
-    pub(super) fn before(&mut self, stock: &Stock, cutter: &Cutter, step: [GridPoint; 2], overlap: &mut Overlap) {
+    pub(super) fn before(
+        &mut self,
+        stock: &Stock,
+        cutter: &Cutter,
+        edges: &NearEdges<'_>,
+        step: [GridPoint; 2],
+        overlap: &mut Overlap,
+    ) {
         let along = direction(step);
         let near = |edge: &&Edge| faces(edge, along) && stock.may_meet(&Window::around(&swept_corners(**edge, step)));
-        let flank = cutter.back.iter().filter(near).copied();
+        let flank = edges.back.iter().filter(near).copied();
         touch(&mut self.flank, stock, flank, step, overlap);
-        let holder = cutter.holder_edges.iter().filter(near).flat_map(|edge| in_the_open(*edge, along, &cutter.insert));
+        let holder = edges.holder.iter().filter(near).flat_map(|edge| in_the_open(*edge, along, &cutter.insert));
         touch(&mut self.holder, stock, holder, step, overlap);
     }
 
@@ -87,6 +95,39 @@ impl Touched {
     }
 }
 
+/// The edges of a tool that cannot cut and may come near stock on their way.
+#[derive(Debug)]
+pub(super) struct NearEdges<'c> {
+    back: Cow<'c, [Edge]>,
+    holder: Cow<'c, [Edge]>,
+}
+
+impl<'c> NearEdges<'c> {
+    /// The edges near to stock along a path. What the path takes away brings none nearer.
+    pub(super) fn of(cutter: &'c Cutter, stock: &Stock, path: &[GridPoint]) -> Self {
+        let way = Window::around(path);
+        let near = |edges: &'c [Edge], window: &Window| -> Cow<'c, [Edge]> {
+            if edges.is_empty() || !stock.may_meet(&window.moved(&way)) {
+                return Cow::Borrowed(&[]);
+            }
+            if path.len() <= 2 {
+                // Each is looked at more closely once only.
+                return Cow::Borrowed(edges);
+            }
+            edges.iter().filter(|edge| stock.may_meet(&Window::around(*edge).moved(&way))).copied().collect()
+        };
+        Self {
+            back: near(&cutter.back, &cutter.back_window),
+            holder: near(&cutter.holder_edges, &cutter.holder_window),
+        }
+    }
+
+    /// True if none comes near.
+    pub(super) fn is_empty(&self) -> bool {
+        self.back.is_empty() && self.holder.is_empty()
+    }
+}
+
 /// Adds the stock that edges cover on a straight step.
 fn touch(
     rings: &mut Vec<Ring>,
@@ -98,7 +139,7 @@ fn touch(
     for edge in edges {
         let corners = swept_corners(edge, step);
         let window = Window::around(&corners);
-        rings.extend(stock.shared(&Columns::of_rings(&[hull(corners.to_vec())]), &window, overlap).rings());
+        rings.extend(stock.shared(&Columns::of_convex(&hull(corners.to_vec())), &window, overlap).rings());
     }
 }
 

@@ -20,6 +20,8 @@ pub(in crate::proof) struct Cutter {
     pub insert_window: Window,
     /// Edges of the insert that cannot cut.
     pub back: Vec<Edge>,
+    /// The rectangle around those edges.
+    pub back_window: Window,
     /// Convex pieces of the holder.
     pub holder: Vec<Ring>,
     /// The rectangle around the holder.
@@ -32,10 +34,12 @@ impl Cutter {
     /// Makes a tool from its outlines.
     pub(in crate::proof) fn new(outline: &ToolOutline) -> Self {
         let (insert, holder) = (convex_pieces(&outline.insert), convex_pieces(&outline.holder));
+        let back = back_edges(outline);
         Self {
             insert_window: window_of(&insert),
             insert,
-            back: back_edges(outline),
+            back_window: Window::around(back.as_flattened()),
+            back,
             holder_window: window_of(&holder),
             holder,
             holder_edges: outline.holder.segments.iter().flat_map(chords).collect(),

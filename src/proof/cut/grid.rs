@@ -57,7 +57,8 @@ pub(super) fn turn(a: GridPoint, b: GridPoint, c: GridPoint) -> i64 {
 
 /// Edges of a closed ring.
 pub(in crate::proof) fn edges(ring: &[GridPoint]) -> impl Iterator<Item = (GridPoint, GridPoint)> {
-    ring.iter().copied().zip(ring.iter().copied().cycle().skip(1))
+    let closing = ring.last().copied().zip(ring.first().copied());
+    ring.windows(2).map(|w| (w[0], w[1])).chain(closing)
 }
 
 /// Area inside a ring, mm², negative if it runs clockwise.
@@ -79,7 +80,10 @@ pub(super) fn around_mm(ring: &[GridPoint]) -> f64 {
 
 /// True if a ring is as thin as the rounding of the grid, so that it is no material.
 pub(super) fn is_sliver(ring: &[GridPoint]) -> bool {
-    area_mm2(ring).abs() * UNITS_PER_MM < TOUCH * around_mm(ring)
+    let thick = area_mm2(ring).abs() * UNITS_PER_MM;
+    // The way around along the axes is longer and needs no roots.
+    let longest = edges(ring).map(|(a, b)| f64::from(a.x.abs_diff(b.x)) + f64::from(a.y.abs_diff(b.y))).sum::<f64>();
+    thick < TOUCH * longest / UNITS_PER_MM && thick < TOUCH * around_mm(ring)
 }
 
 fn length(a: GridPoint, b: GridPoint) -> f64 {

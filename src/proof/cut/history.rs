@@ -21,7 +21,7 @@ const MOST_GROOVES: u32 = 5_000;
 /// The stock before the first pass that cut and after each: some are kept, those between are cut anew when asked for.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct StockHistory {
-    cutters: Arc<BTreeMap<u32, Cutter>>,
+    cutters: BTreeMap<u32, Arc<Cutter>>,
     passes: Vec<Pass>,
     /// The stock after every `stride` passes, the first one before any.
     kept: Vec<Stock>,
@@ -44,11 +44,17 @@ impl StockHistory {
     /// The history of a stock that nothing has cut yet.
     #[must_use]
     pub fn uncut(stock: &Contour) -> Self {
-        Self::new(Stock::of_contour(stock), Arc::default())
+        Self::new(Stock::of_contour(stock))
     }
 
-    pub(super) fn new(stock: Stock, cutters: Arc<BTreeMap<u32, Cutter>>) -> Self {
+    pub(super) fn new(stock: Stock) -> Self {
+        let cutters = BTreeMap::new();
         Self { cutters, kept_columns: stock.columns(), kept: vec![stock], passes: Vec::new(), stride: FIRST_STRIDE }
+    }
+
+    /// The same with the tools of its passes.
+    pub(super) fn with_cutters(self, cutters: BTreeMap<u32, Arc<Cutter>>) -> Self {
+        Self { cutters, ..self }
     }
 
     /// Adds a pass and the stock that it left.

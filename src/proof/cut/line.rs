@@ -51,7 +51,8 @@ impl Line {
         if self == other {
             return Some(*self);
         }
-        let straight = turn(self.a, self.b, other.a) == 0 && turn(self.a, self.b, other.b) == 0;
+        // Most lines that are asked for follow one another at a corner, so that the far point tells.
+        let straight = turn(self.a, self.b, other.b) == 0 && turn(self.a, self.b, other.a) == 0;
         let length = |line: &Self| i64::from(line.b.x) - i64::from(line.a.x);
         straight.then(|| if length(self) >= length(other) { *self } else { *other })
     }

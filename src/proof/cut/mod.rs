@@ -1,12 +1,13 @@
 //! Cuts the stock with the swept insert and finds what touches that must not.
 //!
 //! The stock is kept as `columns`: stretches of z with a stack of spans between lines, in chunks (`stock`). What a tool covers
-//! on its way (`sweep`) becomes columns too (`scan`), and `overlap` compares the two where they meet. `outline` makes rings of
+//! on its way (`sweep`) becomes columns too (`envelope`, `scan`), and `overlap` compares the two where they meet. `outline` makes rings of
 //! columns for everybody else, and `history` keeps what playback needs.
 
 mod columns;
 mod contact;
 mod cutter;
+mod envelope;
 pub(super) mod grid;
 mod history;
 mod line;
@@ -21,8 +22,8 @@ mod sweep;
 use super::input::Work;
 use crate::geometry::{Contour, Point, Segment};
 use crate::machine::{Chuck, ToolOutline};
-use contact::Touched;
 pub(super) use contact::{CONTACT_AREA_MM2, Contact};
+use contact::{NearEdges, Touched};
 use cutter::Cutter;
 use grid::{GridPoint, Ring, Window, area_of};
 use history::Pass;
@@ -45,9 +46,11 @@ pub(super) enum Holding {
 }
 
 /// The stock, the tools and what holds the work.
-pub(super) struct Cutting {
+pub(super) struct Cutting<'a> {
     stock: Stock,
-    cutters: Arc<BTreeMap<u32, Cutter>>,
+    tools: &'a BTreeMap<u32, ToolOutline>,
+    /// The tools that have moved so far.
+    cutters: BTreeMap<u32, Arc<Cutter>>,
     held_by: Vec<(Holding, Stock)>,
     history: StockHistory,
     /// The tool that came to a place with its holder clear of the stock.
@@ -77,20 +80,18 @@ impl Cut {
     }
 }
 
-impl Cutting {
+impl<'a> Cutting<'a> {
     /// Work and tools before the first move.
-    pub(super) fn new(work: &Work, tools: &BTreeMap<u32, ToolOutline>, chuck: &Chuck) -> Self {
+    pub(super) fn new(work: &Work, tools: &'a BTreeMap<u32, ToolOutline>, chuck: &Chuck) -> Self {
         let stock = Stock::of_contour(&work.stock);
-        let cutters: BTreeMap<u32, Cutter> =
-            tools.iter().map(|(&station, outline)| (station, Cutter::new(outline))).collect();
-        let cutters = Arc::new(cutters);
         let others = [(Holding::Mandrel, &work.mandrel), (Holding::Tailstock, &work.tailstock)];
         let others = others.into_iter().filter_map(|(holding, outline)| Some((holding, outline.clone()?)));
         let held_by = std::iter::once((Holding::Chuck, jaws(chuck, work.chuck_face_z))).chain(others);
         Self {
-            history: StockHistory::new(stock.clone(), Arc::clone(&cutters)),
+            history: StockHistory::new(stock.clone()),
             stock,
-            cutters,
+            tools,
+            cutters: BTreeMap::new(),
             held_by: held_by.map(|(holding, outline)| (holding, Stock::of_contour(&outline))).collect(),
             clear: None,
             overlap: Overlap::default(),
@@ -109,13 +110,23 @@ impl Cutting {
 
     /// The stock after every move that has cut.
     pub(super) fn into_history(self) -> StockHistory {
-        self.history
+        self.history.with_cutters(self.cutters)
+    }
+
+    /// The tool of a turret station; `None` for a station without one.
+    fn cutter(&mut self, tool: u32) -> Option<Arc<Cutter>> {
+        if let Some(cutter) = self.cutters.get(&tool) {
+            return Some(Arc::clone(cutter));
+        }
+        let cutter = Arc::new(Cutter::new(self.tools.get(&tool)?));
+        self.cutters.insert(tool, Arc::clone(&cutter));
+        Some(cutter)
     }
 
     /// Moves a tool along a path and cuts.
     pub(super) fn travel(&mut self, path: &Segment, tool: u32) -> Cut {
-        let cutters = Arc::clone(&self.cutters);
-        let Some(cutter) = cutters.get(&tool) else { return Cut::default() };
+        let Some(cutter) = self.cutter(tool) else { return Cut::default() };
+        let cutter = &*cutter;
         let pass = Pass { path: *path, tool, pitch_mm: None };
         let points = pass.points();
         let holding = self.holding_met(cutter, &points);
@@ -139,8 +150,8 @@ impl Cutting {
     /// Cuts the grooves of a thread from `near` to `far`: the insert at every pitch and at the far end. The passes before the
     /// last lie inside its grooves. Returns how many grooves there are too.
     pub(super) fn thread(&mut self, near: Point, far: Point, pitch: f64, tool: u32) -> (Cut, u32) {
-        let cutters = Arc::clone(&self.cutters);
-        let Some(cutter) = cutters.get(&tool) else { return (Cut::default(), 1) };
+        let Some(cutter) = self.cutter(tool) else { return (Cut::default(), 1) };
+        let cutter = &*cutter;
         let pass = Pass { path: Segment::line(near, far), tool, pitch_mm: Some(pitch) };
         let points = pass.points();
         let holding = self.holding_met(cutter, &points);
@@ -173,8 +184,12 @@ impl Cutting {
     fn touched_ahead(&mut self, cutter: &Cutter, points: &[GridPoint]) -> Touched {
         let mut touched = Touched::default();
         let steps = || points.windows(2).map(|step| [step[0], step[1]]);
+        let edges = NearEdges::of(cutter, &self.stock, points);
+        if edges.is_empty() {
+            return touched;
+        }
         for step in steps() {
-            touched.before(&self.stock, cutter, step, &mut self.overlap);
+            touched.before(&self.stock, cutter, &edges, step, &mut self.overlap);
         }
         if points.len() <= 2 {
             return touched;
@@ -184,7 +199,7 @@ impl Cutting {
         if looks_closer {
             let mut stock = self.stock.clone();
             for step in steps() {
-                touched.before(&stock, cutter, step, &mut self.overlap);
+                touched.before(&stock, cutter, &edges, step, &mut self.overlap);
                 let window = cutter.insert_window.moved(&Window::around(&step));
                 stock.cut_away(&covered(&cutter.insert, &step), &window, &mut self.overlap);
                 touched.after(&stock, cutter, &step, &mut self.overlap);

@@ -17,25 +17,82 @@ impl Columns {
 /// The borders of all spans, numbered 2k for the lower and 2k + 1 for the upper border of span k, and which follows which.
 #[derive(Debug, Default)]
 pub(super) struct Walk {
-    lines: Vec<(Line, i32, i32)>,
+    lines: Vec<Side>,
     /// The border that follows, with itself where it was walked already.
     next: Vec<Border>,
     done: Vec<bool>,
     ring: Ring,
+    found: Vec<Ring>,
+}
+
+/// A border with its ends and its heights there.
+#[derive(Debug, Clone, Copy)]
+struct Side {
+    line: Line,
+    ends: [i32; 2],
+    heights: [f64; 2],
+}
+
+impl Side {
+    fn of(line: Line, from: i32, to: i32) -> Self {
+        Self { line, ends: [from, to], heights: line.over(from, to) }
+    }
+
+    /// The point at its beginning (0) or end (1).
+    #[allow(clippy::cast_possible_truncation, reason = "heights lie on the grid")]
+    fn point(&self, end: usize) -> GridPoint {
+        GridPoint::new(self.ends[end], self.heights[end].round() as i32)
+    }
 }
 
 impl Walk {
     /// The outlines of the material, as [`Columns::rings`].
     pub(super) fn rings(&mut self, columns: &Columns) -> Vec<Ring> {
-        self.take(columns);
-        let mut rings = Vec::new();
-        for start in 0..self.next.len() {
-            self.walk_from(start);
-            if self.ring.len() > 2 && !is_sliver(&self.ring) {
-                rings.push(self.ring.clone());
+        self.found.clear();
+        if columns.iter().all(|column| column.spans.len() == 1) {
+            self.walk_strips(columns);
+        } else {
+            self.take(columns);
+            for start in 0..self.next.len() {
+                self.walk_from(start);
+                self.keep_ring();
             }
         }
-        rings
+        std::mem::take(&mut self.found)
+    }
+
+    fn keep_ring(&mut self) {
+        if self.ring.len() > 2 && !is_sliver(&self.ring) {
+            self.found.push(self.ring.clone());
+        }
+    }
+
+    /// Walks around columns of one span each: along the lower borders of those that hang together, back along the upper ones.
+    fn walk_strips(&mut self, columns: &Columns) {
+        self.lines.clear();
+        for column in columns.iter() {
+            let sides = column.spans.first().map(|s| [s.low, s.high].map(|l| Side::of(l, column.from, column.to)));
+            let Some([low, high]) = sides else { continue };
+            if let [.., l, h] = &self.lines[..]
+                && !(l.ends[1] == column.from
+                    && hang_together([l.heights[1], h.heights[1]], [low.heights[0], high.heights[0]]))
+            {
+                self.walk_strip();
+                self.lines.clear();
+            }
+            self.lines.extend([low, high]);
+        }
+        self.walk_strip();
+    }
+
+    /// Walks around the borders of columns that hang together.
+    fn walk_strip(&mut self) {
+        self.ring.clear();
+        let (lines, ring) = (&self.lines, &mut self.ring);
+        walk_side(lines.iter().step_by(2), [0, 1], ring);
+        walk_side(lines.iter().skip(1).step_by(2).rev(), [1, 0], ring);
+        close(ring);
+        self.keep_ring();
     }
 
     /// Takes the borders of columns and finds which follows which.
@@ -43,7 +100,7 @@ impl Walk {
         self.lines.clear();
         for column in columns.iter() {
             for span in column.spans {
-                self.lines.extend([(span.low, column.from, column.to), (span.high, column.from, column.to)]);
+                self.lines.extend([span.low, span.high].map(|line| Side::of(line, column.from, column.to)));
             }
         }
         self.next.clear();
@@ -55,37 +112,31 @@ impl Walk {
         for column in columns.iter() {
             let joint = left.filter(|(before, _)| before.to == column.from);
             if let (Some(before), None) = (left, joint) {
-                self.join(before.0.to, before.1..first, first..first);
+                self.join(before.1..first, first..first);
             }
             let end = first + 2 * column.spans.len();
-            self.join(column.from, joint.map_or(first, |j| j.1)..first, first..end);
+            self.join(joint.map_or(first, |j| j.1)..first, first..end);
             left = Some((column, first));
             first = end;
         }
-        if let Some((column, begin)) = left {
-            self.join(column.to, begin..first, first..first);
+        if let Some((_, begin)) = left {
+            self.join(begin..first, first..first);
         }
     }
 
-    /// Joins the borders that end and begin at a position.
+    /// Joins the borders that end and those that begin at a position.
     ///
     /// The borders from both sides cut that vertical into pieces with material on neither, one or both sides. Every border is
     /// the end of a piece with material on one side, so two and two follow one another, and of each two one comes in and one
     /// goes out.
-    fn join(&mut self, x: i32, left: std::ops::Range<Border>, right: std::ops::Range<Border>) {
-        let mut sides = [left.peekable(), right.peekable()];
+    fn join(&mut self, mut left: std::ops::Range<Border>, mut right: std::ops::Range<Border>) {
         let mut pending: Option<(Border, bool)> = None;
-        loop {
-            let heights = [0, 1].map(|side| sides[side].peek().map(|&border| self.lines[border].0.at(x)));
-            let side = match heights {
-                [Some(l), Some(r)] => usize::from(r < l),
-                [Some(_), None] => 0,
-                [None, Some(_)] => 1,
-                [None, None] => return,
-            };
-            let Some(border) = sides[side].next() else { return };
+        while !left.is_empty() || !right.is_empty() {
+            let is_right = left.is_empty()
+                || !right.is_empty() && self.lines[right.start].heights[0] < self.lines[left.start].heights[1];
+            let Some(border) = (if is_right { &mut right } else { &mut left }).next() else { return };
             // Lower borders of the left side and upper ones of the right side come in.
-            let comes_in = (side == 0) == (border.is_multiple_of(2));
+            let comes_in = is_right != border.is_multiple_of(2);
             match pending.take() {
                 None => pending = Some((border, comes_in)),
                 Some((other, true)) => self.next[other] = border,
@@ -102,16 +153,16 @@ impl Walk {
         let mut goes_on = false;
         while !self.done[border] {
             self.done[border] = true;
-            let (line, from, to) = self.lines[border];
-            let (begin, end) = if border.is_multiple_of(2) { (from, to) } else { (to, from) };
+            let side = self.lines[border];
+            let (begin, end) = if border.is_multiple_of(2) { (0, 1) } else { (1, 0) };
             if !goes_on {
-                push(ring, on_line(&line, begin));
+                push(ring, side.point(begin));
             }
             let next = self.next[border];
             // A line that goes on has no corner at its end.
-            goes_on = next % 2 == border % 2 && line.joined(&self.lines[next].0).is_some();
+            goes_on = next % 2 == border % 2 && side.line.joined(&self.lines[next].line).is_some();
             if !goes_on {
-                push(ring, on_line(&line, end));
+                push(ring, side.point(end));
             }
             border = next;
         }
@@ -122,9 +173,25 @@ impl Walk {
     }
 }
 
-#[allow(clippy::cast_possible_truncation, reason = "heights lie on the grid")]
-fn on_line(line: &Line, x: i32) -> GridPoint {
-    GridPoint::new(x, line.at(x).round() as i32)
+/// True if spans that meet at a position, given by their heights there, have material on both sides of it. As with any number of
+/// spans, what ends comes before what begins at the same height.
+fn hang_together([l0, l1]: [f64; 2], [r0, r1]: [f64; 2]) -> bool {
+    if r0 < l0 { r1 >= l0 } else { r0 < l1 }
+}
+
+/// Adds the corners along borders that follow one another; a line that goes on has no corner at its end.
+fn walk_side<'a>(sides: impl Iterator<Item = &'a Side>, [begin, end]: [usize; 2], ring: &mut Ring) {
+    let mut sides = sides.peekable();
+    let mut goes_on = false;
+    while let Some(side) = sides.next() {
+        if !goes_on {
+            push(ring, side.point(begin));
+        }
+        goes_on = sides.peek().is_some_and(|next| side.line.joined(&next.line).is_some());
+        if !goes_on {
+            push(ring, side.point(end));
+        }
+    }
 }
 
 /// Adds a point; the last one is dropped if it turns out to be no corner.

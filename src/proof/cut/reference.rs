@@ -160,11 +160,11 @@ fn moves() -> impl Strategy<Value = Vec<(u32, Segment)>> {
     })
 }
 
-fn cutting(stock: &Contour) -> Cutting {
+fn cutting<'a>(stock: &Contour, tools: &'a BTreeMap<u32, ToolOutline>) -> Cutting<'a> {
     let work = Work { stock: stock.clone(), chuck_face_z: -32.0, ..crate::proof::tests::work() };
     let catalog = crate::machine::Catalog::shipped();
     let chuck = Chuck { radius_mm: 20.0, ..catalog.machine("orac").unwrap().chuck };
-    Cutting::new(&work, &tools(), &chuck)
+    Cutting::new(&work, tools, &chuck)
 }
 
 /// Areas that may differ by the rounding of every edge, mm².
@@ -177,10 +177,11 @@ proptest! {
 
     #[test]
     fn stock_and_what_was_taken_are_those_of_whole_polygons(stock in stock(), moves in moves()) {
-        let mut cutting = cutting(&stock);
+        let tools = tools();
+        let mut cutting = cutting(&stock, &tools);
         let mut whole = Whole(boolean(&[stock.polyline(0.001).into_iter().map(grid::to_grid).collect()], &[], OverlayRule::Subject));
         for (tool, path) in &moves {
-            let cutter = cutting.cutters[tool].clone();
+            let cutter = cutting.cutter(*tool).unwrap();
             let points = Pass { path: *path, tool: *tool, pitch_mm: None }.points();
             let cut = cutting.travel(path, *tool);
             let taken = whole.cut_away(&sweeps(&cutter.insert, &points));
@@ -201,10 +202,11 @@ proptest! {
 
     #[test]
     fn contacts_are_those_of_many_small_steps(stock in stock(), moves in moves()) {
-        let mut cutting = cutting(&stock);
+        let tools = tools();
+        let mut cutting = cutting(&stock, &tools);
         for (tool, path) in &moves {
             let line = Segment::line(path.start(), path.end());
-            let cutter = cutting.cutters[tool].clone();
+            let cutter = cutting.cutter(*tool).unwrap();
             let whole = Whole(cutting.stock().rings());
             let step = [grid::to_grid(line.start()), grid::to_grid(line.end())];
             let cut = cutting.travel(&line, *tool);

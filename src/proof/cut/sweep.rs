@@ -1,12 +1,18 @@
 //! The region that a convex outline covers while it moves along a path.
 
 use super::columns::Columns;
+use super::envelope::swept_one_way;
 use super::grid::{GridPoint, Ring, Window, plus};
 use super::overlap::Overlap;
 use super::stock::Stock;
 
 /// What convex pieces cover together while they move along `path`.
 pub(super) fn covered(pieces: &[Ring], path: &[GridPoint]) -> Columns {
+    if let ([piece], true) = (pieces, path.len() > 2)
+        && let Some(columns) = swept_one_way(piece, path)
+    {
+        return columns;
+    }
     Columns::of_rings(&pieces.iter().map(|piece| swept(piece, path)).collect::<Vec<_>>())
 }
 
@@ -18,7 +24,7 @@ pub(super) fn met(region: &Stock, pieces: &[Ring], path: &[GridPoint], overlap: 
     for piece in pieces {
         let window = Window::around(piece).moved(&way);
         if region.may_meet(&window) {
-            rings.extend(region.shared(&Columns::of_rings(&[swept(piece, path)]), &window, overlap).rings());
+            rings.extend(region.shared(&covered(std::slice::from_ref(piece), path), &window, overlap).rings());
         }
     }
     rings
@@ -76,25 +82,49 @@ fn swept_straight(outline: &[GridPoint], from: GridPoint, to: GridPoint) -> Ring
     ring
 }
 
-fn direction(a: GridPoint, b: GridPoint) -> (i64, i64) {
+/// The way from one point to another.
+pub(super) fn direction(a: GridPoint, b: GridPoint) -> (i64, i64) {
     (i64::from(b.x) - i64::from(a.x), i64::from(b.y) - i64::from(a.y))
 }
 
-fn cross(a: (i64, i64), b: (i64, i64)) -> i64 {
+/// Positive if the second direction lies to the left of the first.
+pub(super) fn cross(a: (i64, i64), b: (i64, i64)) -> i64 {
     a.0 * b.1 - a.1 * b.0
 }
 
-fn dot(a: (i64, i64), b: (i64, i64)) -> i64 {
+/// Positive if two directions look the same way.
+pub(super) fn dot(a: (i64, i64), b: (i64, i64)) -> i64 {
     a.0 * b.0 + a.1 * b.1
 }
 
 /// The vertex furthest to the right of a direction; of two the one that comes first counter-clockwise.
-fn support(outline: &[GridPoint], d: (i64, i64)) -> usize {
+pub(super) fn support(outline: &[GridPoint], d: (i64, i64)) -> usize {
     let reach = |i: usize| i64::from(outline[i].x) * d.1 - i64::from(outline[i].y) * d.0;
     let count = outline.len();
     let best = (0..count).max_by_key(|&i| reach(i)).unwrap_or(0);
     let before = (best + count - 1) % count;
     if reach(before) == reach(best) { before } else { best }
+}
+
+/// The same, found by walking around from a vertex: few steps where the direction has changed little.
+pub(super) fn support_near(outline: &[GridPoint], vertex: usize, d: (i64, i64)) -> usize {
+    let reach = |i: usize| i64::from(outline[i].x) * d.1 - i64::from(outline[i].y) * d.0;
+    let count = outline.len();
+    let (mut at, mut most) = (vertex, reach(vertex));
+    // On a convex outline the reach rises to the furthest vertex from both sides.
+    let mut walk = |step: usize, ties: bool| {
+        for _ in 0..count {
+            let next = (at + step) % count;
+            let further = reach(next);
+            if further < most || further == most && !ties {
+                break;
+            }
+            (at, most) = (next, further);
+        }
+    };
+    walk(1, false);
+    walk(count - 1, true);
+    at
 }
 
 #[cfg(test)]
@@ -120,6 +150,18 @@ mod tests {
             let path = points(&[(0, 0), to]);
             let both = path.iter().flat_map(|&p| outline.iter().map(move |&o| plus(o, p))).collect();
             prop_assert!((area_mm2(&swept(&outline, &path)) - area_mm2(&hull(both))).abs() < 1e-9);
+        }
+
+        #[test]
+        fn the_furthest_vertex_is_found_from_every_other(
+            raw in prop::collection::vec((-9..9, -9..9), 3..30),
+            d in (-9_i64..9, -9_i64..9),
+        ) {
+            let outline = hull(points(&raw));
+            prop_assume!(outline.len() >= 3 && d != (0, 0));
+            for vertex in 0..outline.len() {
+                prop_assert_eq!(support_near(&outline, vertex, d), support(&outline, d));
+            }
         }
 
         #[test]
