@@ -22,6 +22,7 @@ fn shaft(facing_allowance: f64) -> Derived {
         holding: Holding::BetweenCentres,
         sections: vec![Section::line(1, 0.0, 58.0, 40.0, 58.0), Section::line(2, 40.0, 50.0, LENGTH, 50.0)],
         generator: Generator::Planned { separate_programs: false },
+        form_tolerance: 0.02,
         ..TurnedPart::default()
     };
     let content = Content::TurnedPart(part);

@@ -25,7 +25,8 @@ fn derived(machine: &str, material: &str, from_z: f64) -> Derived {
     let turret = &mut catalog.machines.iter_mut().find(|m| m.id == machine).unwrap().tools;
     turret.retain(|t| !t.tool.starts_with("drill") && !t.tool.starts_with("bore"));
     let tool = "drill-10-hss".to_owned();
-    turret.push(TurretTool { station: STATION, tool, offset: None, change_z_mm: None, change_diameter_mm: None });
+    // Changed where the first tool is.
+    turret.push(TurretTool { station: STATION, tool, offset: None, ..turret[0].clone() });
     let part = TurnedPart {
         machine: machine.to_owned(),
         material: material.to_owned(),
@@ -34,6 +35,7 @@ fn derived(machine: &str, material: &str, from_z: f64) -> Derived {
         sections: vec![Section::line(1, 0.0, 28.0, LENGTH, 28.0)],
         bore: vec![Section::line(2, from_z, 12.0, LENGTH, 12.0)],
         generator: Generator::Planned { separate_programs: false },
+        form_tolerance: 0.02,
         ..TurnedPart::default()
     };
     let content = Content::TurnedPart(part);
