@@ -26,7 +26,7 @@ const SLIVER_MM: f64 = 0.1;
 pub(super) const AIR_MM: f64 = 1.0;
 
 /// How far the programmed point may pass the axis, mm: a face is cut to its middle by the side of the nose.
-const AXIS_OVERSHOOT_MM: f64 = 1.0;
+pub(super) const AXIS_OVERSHOOT_MM: f64 = 1.0;
 
 /// The work, mm.
 #[derive(Debug, Clone)]

@@ -8,6 +8,7 @@ use crate::part::Setup;
 use crate::turning::OperationKind;
 use crate::turning::planner::link::{CLEARANCE_MM, go};
 use crate::turning::planner::tool::{Cutter, Use};
+use crate::turning::planner::work::AXIS_OVERSHOOT_MM;
 
 /// Material beyond the end up to this is none, mm.
 const FACE_WORTH_MM: f64 = 0.002;
@@ -80,7 +81,8 @@ impl Order<'_> {
                 Some(low).filter(|low| low + cutter.nose < self.work.top() - FACE_WORTH_MM)
             } else {
                 let low = limit.highest(z + FACE_WORTH_MM / 2.0, z + CLEARANCE_MM);
-                Some(past_the_middle(setup, cutter)).filter(|to_r| low <= to_r + FACE_WORTH_MM)
+                let free = low.max(-AXIS_OVERSHOOT_MM);
+                Some(past_the_middle(setup, cutter)).filter(|to_r| free <= to_r + FACE_WORTH_MM)
             };
             to_r.map(|to_r| Facing { cutter: cutter.clone(), left, to_r })
         })
