@@ -3,7 +3,7 @@
 use super::piece::{Piece, SAME_MM};
 
 /// Values nearer than this are equal when the larger of two functions is sought, mm: what rounding makes of one value.
-const EQUAL_MM: f64 = 1e-10;
+pub(super) const EQUAL_MM: f64 = 1e-10;
 
 /// Stretches that are narrower than this are no place for a tool, mm: far below any control's smallest step.
 const PIT_MM: f64 = 1e-6;
@@ -35,7 +35,7 @@ impl Chain {
     }
 
     /// Adds a piece behind the others, joined to the last one if it continues it.
-    fn push(&mut self, piece: Piece) {
+    pub(super) fn push(&mut self, piece: Piece) {
         match self.pieces.last_mut() {
             Some(last) if last.form == piece.form && piece.z0 - last.z1 <= SAME_MM => last.z1 = piece.z1,
             _ => self.pieces.push(piece),
@@ -132,6 +132,16 @@ impl Chain {
 
     /// The larger of two functions; where one has a gap, the other.
     pub(super) fn max(&self, other: &Self) -> Self {
+        self.joined(other, |f, g| g > f + EQUAL_MM)
+    }
+
+    /// The smaller of two functions; where one has a gap, the other.
+    pub(super) fn min(&self, other: &Self) -> Self {
+        self.joined(other, |f, g| g < f - EQUAL_MM)
+    }
+
+    /// This function, and the other one where it is alone or `better`.
+    fn joined(&self, other: &Self, better: impl Fn(f64, f64) -> bool) -> Self {
         let mut out = Self { pieces: Vec::with_capacity(self.pieces.len() + other.pieces.len()) };
         let (mut i, mut j) = (0, 0);
         let mut from = f64::NEG_INFINITY;
@@ -152,7 +162,7 @@ impl Chain {
                             out.push_part(g, g0, f0);
                         }
                         let (z0, z1) = (f0.max(g0), f.z1.min(g.z1));
-                        out.push_larger(f, g, z0, z1);
+                        out.push_better(f, g, (z0, z1), &better);
                         from = z1;
                         i += usize::from(f.z1 <= z1);
                         j += usize::from(g.z1 <= z1);
@@ -171,8 +181,8 @@ impl Chain {
         }
     }
 
-    /// The larger of two pieces over a stretch that both cover.
-    fn push_larger(&mut self, f: &Piece, g: &Piece, z0: f64, z1: f64) {
+    /// The better of two pieces over a stretch that both cover.
+    fn push_better(&mut self, f: &Piece, g: &Piece, (z0, z1): (f64, f64), better: impl Fn(f64, f64) -> bool) {
         if z1 - z0 <= SAME_MM {
             return;
         }
@@ -180,15 +190,10 @@ impl Chain {
         let mut from = z0;
         for to in f.meets(&g).iter().chain([z1]) {
             let middle = f64::midpoint(from, to);
-            let larger = if g.at(middle) > f.at(middle) + EQUAL_MM { &g } else { &f };
-            self.push_part(larger, from, to);
+            let chosen = if better(f.at(middle), g.at(middle)) { &g } else { &f };
+            self.push_part(chosen, from, to);
             from = to;
         }
-    }
-
-    /// The smaller of two functions; where one has a gap, the other.
-    pub(super) fn min(&self, other: &Self) -> Self {
-        self.negated().max(&other.negated()).negated()
     }
 
     /// The largest of many functions, joined two by two: n·log n for functions that are short and lie side by side.

@@ -4,18 +4,23 @@
 //! along lines and arcs are lines and arcs, and the limit is the largest of what every piece of the surface allows. There is
 //! no offset contour to be trimmed, so nothing can be lost or left crossing itself.
 //!
-//! This is what planning costs. Ways and strokes therefore say where they look and above which height, and what cannot reach there
-//! is not rolled along ([`Shape::over_within`]); along a line, which most pieces are, the body's pieces are only moved. Together this
-//! halves the time of a plan (1470b-2T, QUEEN, a staircase and waves of 1,000 rows: 0.58, 0.54, 0.57 and 0.47 of the time before, side
-//! by side on one machine).
+//! This is what planning costs. The body is a few concave stretches. Of a concave stretch that is put on two places of a surface the
+//! one put further on the right is, once it is the higher one, the higher one for good; so the limit is made like a stack, piece by
+//! piece along the surface, and what a piece hides of those before it is taken off the end ([`Front`]): nobody looks at two pieces
+//! that are far apart. Ways and strokes say where they look and above which height, and what cannot reach there is left out
+//! ([`Shape::over_within`]).
 //!
 //! A surface without overhang is met from above by the lower side of insert and holder only, and a point that the lower side
 //! keeps clear of is clear of the whole tool; so functions of z say all.
 
-use super::chain::Chain;
-use super::piece::{Form, Piece};
+use super::chain::{Chain, EQUAL_MM};
+use super::piece::{Piece, SAME_MM};
+use super::rolling::{Way, Window};
 use super::shape::{Concave, Shape};
 use crate::geometry::Point;
+
+/// How far over the ends of what is asked for the limit is made, mm: who looks at an end finds a value there.
+const BESIDE_MM: f64 = 1e-5;
 
 impl Shape {
     /// The largest of the shape's boundary put on every point of `surface`.
@@ -26,58 +31,135 @@ impl Shape {
     /// The same for who looks only between two positions and above a height: what cannot reach there is not rolled along. Where
     /// that is all there may be a lower value, or none.
     pub(super) fn over_within(&self, surface: &Chain, z0: f64, z1: f64, above: f64) -> Chain {
-        let mut leaves = Vec::new();
-        for piece in &surface.pieces {
-            let top = piece.highest();
-            let reaches =
-                |part: &&Concave| top + part.top > above && piece.z0 + part.z0() < z1 && piece.z1 + part.z1() > z0;
-            leaves.extend(self.parts.iter().filter(reaches).map(|part| over_piece(part, piece)));
-        }
-        Chain::largest_of(leaves).without_pits()
+        self.rolled_along(surface, Window { z0: z0 - BESIDE_MM, z1: z1 + BESIDE_MM }, above).without_pits()
+    }
+
+    /// The same everywhere, with the pits that rounding leaves.
+    pub(super) fn over_all(&self, surface: &Chain) -> Chain {
+        self.rolled_along(surface, Window::ALL, f64::NEG_INFINITY)
+    }
+
+    fn rolled_along(&self, surface: &Chain, window: Window, above: f64) -> Chain {
+        let ways: Vec<Way> = self.reached(surface, window).map(Way::of).collect();
+        let fronts = self.parts.iter().map(|part| part.over(&ways, window, above));
+        fronts.filter(|front| !front.pieces.is_empty()).reduce(|a, b| a.max(&b)).unwrap_or_default()
+    }
+
+    /// The pieces on which the shape reaches into a window.
+    fn reached<'a>(&self, surface: &'a Chain, window: Window) -> impl Iterator<Item = &'a Piece> {
+        let (z0, z1) = self
+            .parts
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(z0, z1), part| (z0.min(part.z0()), z1.max(part.z1())));
+        surface.over(window.z0 - z1, window.z1 - z0)
     }
 
     /// The shape's boundary put on one point.
     pub(super) fn at(&self, p: Point) -> Chain {
-        Chain::largest(&self.parts.iter().map(|part| part.put_on(p)).collect::<Vec<_>>())
+        Chain::largest(&self.parts.iter().map(|part| part.put_on(p, Window::ALL)).collect::<Vec<_>>())
     }
 }
 
 impl Concave {
-    fn put_on(&self, p: Point) -> Chain {
-        Chain { pieces: self.chain.pieces.iter().map(|piece| piece.shifted(p.z, p.r)).collect() }
+    /// The stretch rolled along what it reaches from.
+    fn over(&self, ways: &[Way], window: Window, above: f64) -> Chain {
+        let mut front = Front::default();
+        let mut rolled = Vec::with_capacity(self.edges.len() + 2);
+        for way in ways {
+            if way.top + self.top > above && way.z0() + self.z0() < window.z1 && way.z1() + self.z1() > window.z0 {
+                self.roll(way, window, &mut rolled);
+                front.add(&rolled);
+            }
+        }
+        front.chain
     }
 }
 
-fn over_piece(part: &Concave, piece: &Piece) -> Chain {
-    match piece.form {
-        Form::Arc { center, radius, upper: false } => over_hollow(part, piece, center, radius),
-        Form::Arc { .. } => part.rolled_along(piece),
-        Form::Line { .. } => part.along_line(piece),
-    }
+/// The limit as it grows to the right.
+#[derive(Default)]
+struct Front {
+    chain: Chain,
+    /// What is put on its end next, the right one first.
+    tail: Vec<Piece>,
 }
 
-/// In a hollow the ends hold the shape off; between them only roundings of a smaller radius and sharp corners touch.
-fn over_hollow(part: &Concave, piece: &Piece, center: Point, radius: f64) -> Chain {
-    let mut over = part.put_on(piece.left()).max(&part.put_on(piece.right()));
-    // Normals point from the hollow to its centre; they turn to the left along z.
-    let normal = |z: f64| ((center.z - z) / radius).clamp(-1.0, 1.0).acos();
-    let (first, last) = (normal(piece.z0), normal(piece.z1));
-    for rounding in part.roundings() {
-        let (low, high) = (first.max(rounding.to), last.min(rounding.from));
-        if rounding.radius < radius && low < high {
-            let middle = Point::new(center.z + rounding.center.z, center.r + rounding.center.r);
-            let left = radius - rounding.radius;
-            let form = Form::Arc { center: middle, radius: left, upper: false };
-            let touching = Piece { z0: middle.z - left * low.cos(), z1: middle.z - left * high.cos(), form };
-            over = over.max(&Chain { pieces: vec![touching] });
+impl Front {
+    /// The larger of what there is and of what ends behind it and stays above it wherever it has once risen above it.
+    fn add(&mut self, rolled: &[Piece]) {
+        let Some(end) = rolled.last().map(|p| p.z1) else { return };
+        if self.chain.pieces.last().is_some_and(|last| last.z1 > end + SAME_MM) {
+            self.chain = self.chain.max(&Chain { pieces: rolled.to_vec() });
+            return;
+        }
+        for piece in rolled.iter().rev() {
+            if !self.hides(piece) {
+                break;
+            }
+        }
+        while let Some(piece) = self.tail.pop() {
+            self.chain.push(piece);
         }
     }
-    over
+
+    /// Takes what lies under a piece off the end; false where something stays above the piece.
+    fn hides(&mut self, piece: &Piece) -> bool {
+        let mut to = piece.z1;
+        while let Some(last) = self.chain.pieces.last().copied().filter(|last| last.z1 > piece.z0) {
+            if last.z1 < to {
+                self.keep(piece, last.z1, to);
+                to = last.z1;
+            }
+            let from = last.z0.max(piece.z0);
+            let shown = shown_from(piece, &last, from, to);
+            self.keep(piece, shown, to);
+            self.end_at(shown);
+            if shown > from {
+                return false;
+            }
+            to = from;
+        }
+        self.keep(piece, piece.z0, to);
+        true
+    }
+
+    fn keep(&mut self, piece: &Piece, z0: f64, z1: f64) {
+        if z1 - z0 > SAME_MM {
+            self.tail.push(Piece { z0, z1, form: piece.form });
+        }
+    }
+
+    /// Cuts off the end of what there is.
+    fn end_at(&mut self, z: f64) {
+        if let Some(last) = self.chain.pieces.last_mut() {
+            last.z1 = last.z1.min(z);
+            if last.z1 - last.z0 <= SAME_MM {
+                self.chain.pieces.pop();
+            }
+        }
+    }
+}
+
+/// From where on a piece is above another one as far as `to`; `to` if it is not.
+fn shown_from(piece: &Piece, other: &Piece, from: f64, to: f64) -> f64 {
+    if to - from <= SAME_MM {
+        return from;
+    }
+    let (f, g) = (Piece { z0: from, z1: to, ..*other }, Piece { z0: from, z1: to, ..*piece });
+    let mut shown = to;
+    for low in f.meets(&g).iter().rev().chain([from]) {
+        let middle = f64::midpoint(low, shown);
+        if g.at(middle) <= f.at(middle) + EQUAL_MM {
+            break;
+        }
+        shown = low;
+    }
+    shown
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::outline::Turn;
+    use super::super::piece::Form;
     use super::*;
     use crate::geometry::Segment;
     use crate::machine::Catalog;

@@ -48,35 +48,46 @@ pub(super) struct Follow<'a> {
 impl Follow<'_> {
     /// Cuts along the limit wherever it is worth it.
     pub(super) fn cut(&self, path: &mut Path<'_>) {
-        let limit = Limit { chain: self.settled(&path.work.stock), ..*self.limit };
+        let runs = self.runs(&path.work);
+        if runs.is_empty() {
+            // Above a raised limit there is even less to cut.
+            return;
+        }
+        let Some(chain) = self.settled(&path.work.stock) else { return self.passes(path, &runs) };
+        let limit = Limit { chain, ..*self.limit };
         let follow = Follow { limit: &limit, ..*self };
-        for run in follow.runs(&path.work) {
+        follow.passes(path, &follow.runs(&path.work));
+    }
+
+    fn passes(&self, path: &mut Path<'_>, runs: &[Run]) {
+        for run in runs {
             let rolled = self.cutter.nose + self.allowance;
-            let way = trace(&limit.chain, run.z0, run.z1, rolled, self.rules);
-            follow.pass(path, if self.allowance > 0.0 { simplified(&way, self.allowance) } else { way });
+            let way = trace(&self.limit.chain, run.z0, run.z1, rolled, self.rules);
+            self.pass(path, if self.allowance > 0.0 { simplified(&way, self.allowance) } else { way });
         }
     }
 
-    /// The limit raised over stock that would be left in the way of holder and back of the insert. What that does not find
-    /// stops the pass.
-    fn settled(&self, stock: &Chain) -> Chain {
+    /// The limit raised over stock that would be left in the way of holder and back of the insert; `None` if there is none. What
+    /// that does not find stops the pass.
+    fn settled(&self, stock: &Chain) -> Option<Chain> {
         let Limit { chain, z0, z1 } = self.limit;
-        let mut low = chain.clone();
-        let (Some(first), Some(last)) = (stock.pieces.first(), stock.pieces.last()) else { return low };
+        let mut raised: Option<Chain> = None;
+        let (first, last) = (stock.pieces.first()?, stock.pieces.last()?);
         for _ in 0..MOST_RAISES {
-            let left = stock.min(&Work::left_by(&self.cutter.cutting, &segments(&low))).clipped(first.z0, last.z1);
+            let low = raised.as_ref().unwrap_or(chain);
+            let left = stock.min(&Work::left_by(&self.cutter.cutting, low)).clipped(first.z0, last.z1);
             let needed = self.cutter.guard.over_within(&left, *z0, *z1, low.lowest()).clipped(*z0, *z1);
-            if needed.runs_over(&low, RAISED_MM).is_empty() {
+            if needed.runs_over(low, RAISED_MM).is_empty() {
                 break;
             }
-            low = low.max(&needed);
+            raised = Some(low.max(&needed));
         }
-        low
+        raised
     }
 
     /// Stretches of programmed positions where the tool has something to cut, from right to left.
     fn runs(&self, work: &Work) -> Vec<Run> {
-        let reached = Work::left_by(&self.cutter.edge, &segments(&self.limit.chain));
+        let reached = Work::left_by(&self.cutter.edge, &self.limit.chain);
         let (from, to) = work.range();
         let (left, right) = self.cutter.contact();
         let is_blade = matches!(self.cutter.r#use, Use::Blade { .. });
@@ -162,11 +173,6 @@ fn lead_out(path: &mut Path<'_>, last: Option<&Segment>) {
     if ahead.r > path.at.r && !path.has_hanging(z0, z1) && link::leaves(path, ahead, &here) {
         path.rapid(ahead);
     }
-}
-
-/// A function as the way along it towards the chuck.
-fn segments(chain: &Chain) -> Vec<Segment> {
-    chain.pieces.iter().map(Piece::towards_chuck).collect()
 }
 
 /// The way up to a position on one of its segments.

@@ -188,7 +188,7 @@ impl Meeting {
     }
 
     /// The positions.
-    pub(super) fn iter(&self) -> impl Iterator<Item = f64> + use<> {
+    pub(super) fn iter(&self) -> impl DoubleEndedIterator<Item = f64> + use<> {
         self.places.into_iter().take(self.count)
     }
 }
@@ -205,7 +205,7 @@ fn lines(a: Point, b: Point, c: Point, d: Point) -> Meeting {
 
 fn line_and_half(p: Point, q: Point, center: Point, radius: f64, upper: bool) -> Meeting {
     let (dz, dr) = (q.z - p.z, q.r - p.r);
-    let length = dz.hypot(dr);
+    let length = (dz * dz + dr * dr).sqrt();
     let (uz, ur) = (dz / length, dr / length);
     let along = (center.z - p.z) * uz + (center.r - p.r) * ur;
     let foot = Point::new(p.z + uz * along, p.r + ur * along);

@@ -1,51 +1,44 @@
-//! A body that is pushed against a function of z: its upper boundary in concave stretches, ready for [`dilate`](super::dilate).
+//! A body that is pushed against a function of z: its upper boundary in concave stretches, ready to be rolled along it.
 
 use super::chain::Chain;
 use super::outline::{Turn, upper_pieces};
 use super::piece::{Form, Piece, SAME_MM};
 use crate::geometry::{Contour, Point};
-use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Normals closer than this are parallel, radians: rounding of angles.
 const SAME_ANGLE: f64 = 1e-12;
 
-/// One side of an outline by its normals, which turn from pointing left (π) to pointing right (0) along growing z.
+/// Where a place of a boundary faces.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Element {
-    /// A straight edge.
-    Line {
-        /// Direction of its normal.
-        normal: f64,
-        /// Its length, mm.
-        length: f64,
-    },
-    /// A rounding.
-    Arc {
-        /// Direction of the normal where it begins, the larger one.
-        from: f64,
-        /// Direction of the normal where it ends.
-        to: f64,
-        /// Its radius, mm.
-        radius: f64,
-        /// Its centre.
-        center: Point,
-    },
+pub(super) struct Facing {
+    /// Rise over way; it falls along a stretch that turns to the right. Infinite where the boundary is upright.
+    pub(super) slope: f64,
+    /// Direction of its normal: along z.
+    pub(super) cos: f64,
+    /// Direction of its normal: upwards.
+    pub(super) sin: f64,
 }
 
-/// A place of a boundary about which its normal turns.
+/// One side of an outline.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Rounding {
-    pub(super) from: f64,
-    pub(super) to: f64,
-    pub(super) radius: f64,
-    pub(super) center: Point,
+pub(super) struct Edge {
+    /// Where it begins.
+    pub(super) start: Point,
+    /// Where it faces at its beginning and at its end.
+    pub(super) first: Facing,
+    pub(super) last: Facing,
+    /// Centre and radius of a rounding, mm.
+    pub(super) rounding: Option<(Point, f64)>,
 }
 
 /// A stretch of a boundary along which the normal only turns to the right.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Concave {
     pub(super) start: Point,
-    pub(super) elements: Vec<Element>,
+    /// Where it ends.
+    pub(super) end: Point,
+    /// Its sides.
+    pub(super) edges: Vec<Edge>,
     /// The same as a function.
     pub(super) chain: Chain,
     /// Its largest value, mm.
@@ -58,32 +51,47 @@ pub(super) struct Shape {
     pub(super) parts: Vec<Concave>,
 }
 
-impl Element {
-    /// The element of a line or of the upper half of a circle.
-    pub(super) fn of(piece: &Piece) -> Self {
-        match piece.form {
+impl Facing {
+    /// To the left, as what stands upright on a stretch's left end does.
+    pub(super) const LEFT: Self = Self { slope: f64::INFINITY, cos: -1.0, sin: 0.0 };
+
+    /// To the right.
+    pub(super) const RIGHT: Self = Self { slope: f64::NEG_INFINITY, cos: 1.0, sin: 0.0 };
+
+    /// The one of two that faces further to the left.
+    pub(super) fn further_left(self, other: Self) -> Self {
+        if other.slope > self.slope { other } else { self }
+    }
+
+    /// The one of two that faces further to the right.
+    pub(super) fn further_right(self, other: Self) -> Self {
+        if other.slope < self.slope { other } else { self }
+    }
+
+    /// True if the boundary turns to the right from here to `next`, or goes straight on.
+    fn turns_right(self, next: Self) -> bool {
+        next.slope.atan() <= self.slope.atan() + SAME_ANGLE.sqrt()
+    }
+}
+
+impl Piece {
+    /// Where the piece faces at its left and at its right end.
+    pub(super) fn facings(&self) -> (Facing, Facing) {
+        match self.form {
             Form::Line { p, q } => {
-                let (a, b) = (piece.left(), piece.right());
-                Self::Line { normal: FRAC_PI_2 + (q.r - p.r).atan2(q.z - p.z), length: a.distance(b) }
+                let (dz, dr) = (q.z - p.z, q.r - p.r);
+                let length = (dz * dz + dr * dr).sqrt();
+                let facing = Facing { slope: dr / dz, cos: -dr / length, sin: dz / length };
+                (facing, facing)
             }
-            Form::Arc { center, radius, .. } => {
-                let normal = |z: f64| ((z - center.z) / radius).clamp(-1.0, 1.0).acos();
-                Self::Arc { from: normal(piece.z0), to: normal(piece.z1), radius, center }
+            Form::Arc { center, radius, upper } => {
+                let at = |z: f64| {
+                    let along = (if upper { z - center.z } else { center.z - z }).clamp(-radius, radius);
+                    let up = ((radius - along) * (radius + along)).sqrt();
+                    Facing { slope: -along / up, cos: along / radius, sin: up / radius }
+                };
+                (at(self.z0), at(self.z1))
             }
-        }
-    }
-
-    const fn first_normal(&self) -> f64 {
-        match *self {
-            Self::Line { normal, .. } => normal,
-            Self::Arc { from, .. } => from,
-        }
-    }
-
-    const fn last_normal(&self) -> f64 {
-        match *self {
-            Self::Line { normal, .. } => normal,
-            Self::Arc { to, .. } => to,
         }
     }
 }
@@ -100,7 +108,9 @@ impl Shape {
 
     /// The upper boundary of a contour turned over, and everything within `by` mm of it.
     pub(super) fn grown(contour: &Contour, turn: Turn, by: f64) -> Self {
-        let sharp = Chain { pieces: upper_pieces(contour, turn) };
+        // Sides that overhang lie over one another.
+        let sides = upper_pieces(contour, turn).into_iter().map(|side| Chain { pieces: vec![side] });
+        let sharp = Chain::largest_of(sides.collect());
         let mut parts = Vec::new();
         add_parts(&Self::disc(by).over(&sharp).pieces, &mut parts);
         Self { parts }
@@ -146,7 +156,7 @@ fn add_parts(pieces: &[Piece], parts: &mut Vec<Concave>) {
     for piece in pieces {
         if let Some(last) = current.last() {
             let joined = last.right().distance(piece.left()) <= SAME_MM.sqrt() && piece.z0 >= last.z1 - SAME_MM;
-            let turns_right = Element::of(piece).first_normal() <= Element::of(last).last_normal() + SAME_ANGLE.sqrt();
+            let turns_right = last.facings().1.turns_right(piece.facings().0);
             if !(joined && turns_right) {
                 parts.extend(Concave::new(std::mem::take(&mut current)));
             }
@@ -158,9 +168,9 @@ fn add_parts(pieces: &[Piece], parts: &mut Vec<Concave>) {
 
 impl Concave {
     fn new(pieces: Vec<Piece>) -> Option<Self> {
-        let start = pieces.first()?.left();
+        let (start, end) = (pieces.first()?.left(), pieces.last()?.right());
         let top = pieces.iter().map(Piece::highest).fold(f64::NEG_INFINITY, f64::max);
-        Some(Self { start, elements: pieces.iter().map(Element::of).collect(), chain: Chain { pieces }, top })
+        Some(Self { start, end, edges: pieces.iter().map(Edge::of).collect(), chain: Chain { pieces }, top })
     }
 
     /// Where the stretch begins.
@@ -169,121 +179,19 @@ impl Concave {
     }
 
     /// Where it ends.
-    pub(super) fn z1(&self) -> f64 {
-        self.chain.pieces.last().map_or(self.start.z, |p| p.z1)
+    pub(super) const fn z1(&self) -> f64 {
+        self.end.z
     }
+}
 
-    /// The sum of this stretch with a line: what comes before the line's direction on its left end, the rest on its right end,
-    /// and the line between.
-    pub(super) fn along_line(&self, piece: &Piece) -> Chain {
-        let (a, b, normal) = (piece.left(), piece.right(), Element::of(piece).first_normal());
-        let mut pieces = Vec::with_capacity(self.elements.len() + 2);
-        let mut walked = false;
-        let line = |pieces: &mut Vec<Piece>, corner: Point| {
-            let at = |end: Point| Point::new(end.z + corner.z, end.r + corner.r);
-            pieces.push(Piece::line(at(a), at(b)));
+impl Edge {
+    /// The side that a line or the upper half of a circle is.
+    fn of(piece: &Piece) -> Self {
+        let (first, last) = piece.facings();
+        let rounding = match piece.form {
+            Form::Arc { center, radius, .. } => Some((center, radius)),
+            Form::Line { .. } => None,
         };
-        for (element, part) in self.elements.iter().zip(&self.chain.pieces) {
-            if !walked && element.last_normal() < normal {
-                walked = true;
-                let place = match *element {
-                    Element::Arc { from, radius, center, .. } if from > normal => center.z + radius * normal.cos(),
-                    _ => part.z0,
-                };
-                pieces.extend(part.clipped(f64::NEG_INFINITY, place).map(|p| p.shifted(a.z, a.r)));
-                line(&mut pieces, Point::new(place, part.at(place)));
-                pieces.extend(part.clipped(place, f64::INFINITY).map(|p| p.shifted(b.z, b.r)));
-                continue;
-            }
-            let end = if walked { b } else { a };
-            pieces.push(part.shifted(end.z, end.r));
-        }
-        if !walked {
-            let last = self.chain.pieces.last().map_or(self.start, Piece::right);
-            line(&mut pieces, last);
-        }
-        Chain { pieces }
-    }
-
-    /// Every rounding of the stretch; a corner is one of no radius.
-    pub(super) fn roundings(&self) -> impl Iterator<Item = Rounding> {
-        let mut before = PI;
-        let ends = self.chain.pieces.iter().map(|p| (p.left(), p.right()));
-        let mut all = Vec::with_capacity(2 * self.elements.len() + 1);
-        let mut last = self.start;
-        for (element, (left, right)) in self.elements.iter().zip(ends) {
-            all.push(Rounding { from: before, to: element.first_normal(), radius: 0.0, center: left });
-            if let Element::Arc { from, to, radius, center } = *element {
-                all.push(Rounding { from, to, radius, center });
-            }
-            before = element.last_normal();
-            last = right;
-        }
-        all.push(Rounding { from: before, to: 0.0, radius: 0.0, center: last });
-        all.into_iter().filter(|r| r.from - r.to > SAME_ANGLE.sqrt())
-    }
-
-    /// The sum of this stretch with a line or the upper half of a circle: the stretch's outline rolled along it.
-    ///
-    /// Sums of concave functions follow the normals: edges of equal direction are added, roundings add their radii.
-    pub(super) fn rolled_along(&self, piece: &Piece) -> Chain {
-        let other = Element::of(piece);
-        let at = piece.left();
-        let mut walk = Walk { at: Point::new(at.z + self.start.z, at.r + self.start.r), pieces: Vec::new() };
-        let all = || self.elements.iter().chain([&other]);
-        let mut normals: Vec<f64> = all().flat_map(|e| [e.first_normal(), e.last_normal()]).collect();
-        normals.sort_by(|a, b| b.total_cmp(a));
-        normals.dedup_by(|a, b| (*a - *b).abs() <= SAME_ANGLE);
-        for (k, &normal) in normals.iter().enumerate() {
-            let edge: f64 = all()
-                .filter_map(|e| match *e {
-                    Element::Line { normal: n, length } if (n - normal).abs() <= SAME_ANGLE => Some(length),
-                    _ => None,
-                })
-                .sum();
-            walk.line(normal, edge);
-            if let Some(&next) = normals.get(k + 1) {
-                let middle = f64::midpoint(normal, next);
-                let radius: f64 = all()
-                    .filter_map(|e| match *e {
-                        Element::Arc { from, to, radius, .. } if from > middle && middle > to => Some(radius),
-                        _ => None,
-                    })
-                    .sum();
-                walk.arc(normal, next, radius);
-            }
-        }
-        Chain { pieces: walk.pieces }
-    }
-}
-
-/// Draws an outline by its normals.
-struct Walk {
-    at: Point,
-    pieces: Vec<Piece>,
-}
-
-impl Walk {
-    fn go(&mut self, to: Point, piece: Option<Piece>) {
-        self.pieces.extend(piece.filter(|p| p.z1 - p.z0 > SAME_MM));
-        self.at = to;
-    }
-
-    fn line(&mut self, normal: f64, length: f64) {
-        if length > 0.0 {
-            let to = Point::new(self.at.z + length * normal.sin(), self.at.r - length * normal.cos());
-            self.go(to, Some(Piece::line(self.at, to)));
-        }
-    }
-
-    fn arc(&mut self, from: f64, to: f64, radius: f64) {
-        if radius > 0.0 {
-            let on = |angle: f64| Point::new(radius * angle.cos(), radius * angle.sin());
-            let (a, b) = (on(from.min(PI)), on(to.max(0.0)));
-            let center = Point::new(self.at.z - a.z, self.at.r - a.r);
-            let end = Point::new(center.z + b.z, center.r + b.r);
-            let form = Form::Arc { center, radius, upper: true };
-            self.go(end, Some(Piece { z0: self.at.z, z1: end.z, form }));
-        }
+        Self { start: piece.left(), first, last, rounding }
     }
 }

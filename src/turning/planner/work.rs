@@ -188,9 +188,10 @@ impl Work {
         self.cover.replace(z0, z1, &self.hanging.top_over(self.stock.clipped(z0, z1), z0, z1));
     }
 
-    /// What is left below a shape with its radius turned over that goes along `path`.
-    pub(super) fn left_by(edge: &Shape, path: &[Segment]) -> Chain {
-        Chain::largest_of(path.iter().map(|s| swept(edge, s)).collect()).negated()
+    /// What is left below a shape with its radius turned over whose reference point goes all along a function.
+    pub(super) fn left_by(edge: &Shape, way: &Chain) -> Chain {
+        // Pits of this side are thin walls of stock: they stay.
+        edge.over_all(&way.negated()).negated()
     }
 }
 
