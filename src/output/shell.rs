@@ -51,7 +51,8 @@ fn shell(made: &ShellDerived) -> Value {
     let shape = &made.shape;
     json!({
         "unit": "mm",
-        "former": contour(&shape.inside),
+        "former": contour(&shape.former),
+        "inside": contour(&shape.inside),
         "outside": contour(&shape.outside),
         "passes": made.path.passes.iter().map(|p| json!({
             "approach": p.approach,

@@ -4,7 +4,7 @@ use super::turned_part::no_such_machine;
 use super::{Derived, Stage, file_stem};
 use crate::cancel::{Cancel, Cancelled};
 use crate::diagnostic::{Diagnostic, Place, Severity};
-use crate::document::{Document, RigChoices, Shell};
+use crate::document::{Document, RigChoices, Roller, Shell};
 use crate::machine::{self, Catalog, Machine, ToolOutline};
 use crate::post::{self, PostOutput};
 use crate::proof::ProgramText;
@@ -135,7 +135,15 @@ pub(super) fn regenerate(
 
 /// The design without what the shape does not depend on.
 fn geometry_only(shell: &Shell) -> Shell {
-    Shell { former: shell.former.clone(), forming: shell.forming, blank: shell.blank.clone(), ..Shell::default() }
+    let nose_radius = shell.roller.nose_radius;
+    let shape_only = Shell::default();
+    Shell {
+        former: shell.former.clone(),
+        forming: shell.forming,
+        blank: shell.blank.clone(),
+        roller: Roller { nose_radius, ..shape_only.roller.clone() },
+        ..shape_only
+    }
 }
 
 /// The design without what program and proof do not depend on.

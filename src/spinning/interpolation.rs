@@ -123,7 +123,7 @@ mod tests {
         let start = centre.segments[0].start();
         for p in set_points(centre, 4) {
             let at = Point::new(start.z - f64::from(p.pulses) * MM_PER_PULSE, start.r + p.retreat_um as f64 / 1000.0);
-            assert!((shape.inside.distance_to(at) - 10.6).abs() < 0.0015, "{p:?}");
+            assert!((shape.former.distance_to(at) - 10.6).abs() < 0.0015, "{p:?}");
         }
     }
 

@@ -2,7 +2,8 @@
 //!
 //! | module | duty |
 //! |---|---|
-//! | `former`, `offset`, `shape`, `law` | former to exact contour, wall by the sine law, blank by constant volume |
+//! | `former`, `offset`, `chain`, `hollow`, `shape`, `law` | former to exact contour, wall by the sine law, hollows that the
+//! roller spans, blank by constant volume |
 //! | `rules`, [`material`](mod@material) | limits of process, material, roller and rig, one rule a file |
 //! | [`published`] | the controller of 1988: ranges, tables, integer interpolation |
 //! | [`interpolation`] | exact set points for any contour |
@@ -16,9 +17,11 @@
 //! Part space: z = 0 at the chuck's face, growing towards the former's tip; r a radius. Contours run from the tip to the
 //! base.
 
+mod chain;
 pub mod control;
 mod fit;
 mod former;
+mod hollow;
 pub mod interpolation;
 mod law;
 pub mod limits;
@@ -40,6 +43,7 @@ pub mod table;
 
 pub use crate::document::{Blank, Former, FormerShape, Forming, RigChoices, Roller, Shell, Speeds};
 pub use former::{CONTOUR_TOLERANCE_MM, as_turned_part, contour};
+pub use hollow::Hollow;
 pub use law::{angle_after, disc_radius, reduction, wall};
 pub use rules::check;
 pub use shape::{ShellShape, Station, shape};

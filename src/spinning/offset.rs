@@ -1,13 +1,14 @@
 //! The contour at a distance from the former that may change with the angle of the wall: outside of the shell, path of the
 //! roller's centre.
 
+use super::chain::Chain;
 use super::fit;
 use super::law;
 use crate::document::Forming;
 use crate::geometry::{Contour, Point, Segment, Vector};
 
-/// Points closer than this are the same, mm.
-const SAME_MM: f64 = 1e-9;
+/// Points closer than this are the same, mm; angles closer than this many radians are, too.
+pub(super) const SAME_MM: f64 = 1e-9;
 
 /// A distance from the former, square to it: the wall and something more.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,12 +22,13 @@ pub(super) struct Distance {
 }
 
 impl Distance {
-    fn at(self, half_angle: f64) -> f64 {
+    /// At a wall that stands at this angle to the axis, mm.
+    pub(super) fn at(self, half_angle: f64) -> f64 {
         law::wall(self.forming, self.thickness, half_angle) + self.more
     }
 
     /// Change with the angle, mm per radian.
-    fn slope(self, half_angle: f64) -> f64 {
+    pub(super) fn slope(self, half_angle: f64) -> f64 {
         match self.forming {
             Forming::Shear if half_angle > 0.0 => self.thickness * half_angle.cos(),
             Forming::Shear | Forming::Spinning => 0.0,
@@ -40,7 +42,7 @@ pub(super) fn half_angle(direction: Vector) -> f64 {
 }
 
 /// Direction of travel from tip to base.
-fn along(half_angle: f64) -> Vector {
+pub(super) fn along(half_angle: f64) -> Vector {
     Vector::new(-half_angle.cos(), half_angle.sin())
 }
 
@@ -49,25 +51,44 @@ pub(super) fn outward(half_angle: f64) -> Vector {
     Vector::new(half_angle.sin(), half_angle.cos())
 }
 
+/// A hollow corner of the moved contour: both its sides were cut there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Cut {
+    /// Where they meet.
+    pub at: Point,
+    /// Index of the segment that the side before it follows.
+    pub before: usize,
+    /// Index of the segment that the side behind it follows.
+    pub behind: usize,
+}
+
+/// A moved contour with its hollow corners.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) struct Offset {
+    /// The contour.
+    pub contour: Contour,
+    /// Its hollow corners, in order.
+    pub cuts: Vec<Cut>,
+}
+
 /// The contour at `distance` from `contour`, which runs from tip to base. Lines stay lines and arcs arcs where the distance
 /// is constant; elsewhere arcs stay within `tolerance` mm. Convex corners are rounded, hollow ones cut.
-pub(super) fn offset(contour: &Contour, distance: Distance, tolerance: f64) -> Contour {
-    let mut out: Vec<Segment> = Vec::new();
+pub(super) fn offset(contour: &Contour, distance: Distance, tolerance: f64) -> Offset {
+    let mut chain = Chain::default();
     let mut last: Option<(Point, f64)> = None;
-    for segment in &contour.segments {
+    for (source, segment) in contour.segments.iter().enumerate() {
         let (from, to) = (half_angle(segment.direction_at(0.0)), half_angle(segment.direction_at(1.0)));
         let moved = of_segment(segment, distance, tolerance);
         match last {
             Some((corner, before)) if before - from > SAME_MM => {
-                out.extend(around(corner, before, from, distance, tolerance));
-                out.extend(moved);
+                chain.append(around(corner, before, from, distance, tolerance), source);
+                chain.append(moved, source);
             }
-            Some((_, before)) if from - before > SAME_MM => join_hollow(&mut out, moved),
-            _ => join_hollow(&mut out, moved),
+            _ => chain.join(moved, source),
         }
         last = Some((segment.end(), to));
     }
-    Contour::new(out)
+    chain.finished()
 }
 
 fn of_segment(segment: &Segment, distance: Distance, tolerance: f64) -> Vec<Segment> {
@@ -116,63 +137,15 @@ fn around(corner: Point, before: f64, after: f64, distance: Distance, tolerance:
     fit::arcs(&curve, 0.0, 1.0, tolerance)
 }
 
-/// Adds `next`, cutting both where they cross; a straight line where they do not meet.
-fn join_hollow(out: &mut Vec<Segment>, mut next: Vec<Segment>) {
-    let (Some(end), Some(start)) = (out.last().map(Segment::end), next.first().map(Segment::start)) else {
-        out.append(&mut next);
-        return;
-    };
-    if end.distance(start) <= SAME_MM {
-        out.append(&mut next);
-        return;
-    }
-    let Some((i, j, at)) = crossing(out, &next).or_else(|| prolonged_crossing(out, &next)) else {
-        out.push(Segment::line(end, start));
-        out.append(&mut next);
-        return;
-    };
-    out.truncate(i + 1);
-    if let Some(cut) = out.last_mut() {
-        *cut = with_ends(cut, cut.start(), at);
-    }
-    next.drain(..j);
-    if let Some(cut) = next.first_mut() {
-        *cut = with_ends(cut, at, cut.end());
-    }
-    out.append(&mut next);
-}
-
-/// The last crossing of the first chain with the second.
-fn crossing(first: &[Segment], second: &[Segment]) -> Option<(usize, usize, Point)> {
-    first.iter().enumerate().rev().find_map(|(i, a)| {
-        second.iter().enumerate().find_map(|(j, b)| {
-            let meet = a.intersection(b, SAME_MM).points();
-            meet.first().map(|at| (i, j, *at))
-        })
-    })
-}
-
-/// Where the neighbours at a hollow corner meet if one of them goes on: the wall changes there, so that one is further out
-/// than the other and its cut lies before it begins. Both must keep their direction.
-fn prolonged_crossing(first: &[Segment], second: &[Segment]) -> Option<(usize, usize, Point)> {
-    let (a, b) = (first.last()?, second.first()?);
-    let at = a.prolonged_meeting(b, a.end())?;
-    let keeps = (at - a.start()).dot(&a.direction_at(0.0)) > 0.0 && (b.end() - at).dot(&b.direction_at(1.0)) > 0.0;
-    keeps.then_some((first.len() - 1, 0, at))
-}
-
-const fn with_ends(segment: &Segment, start: Point, end: Point) -> Segment {
-    match *segment {
-        Segment::Line { .. } => Segment::Line { start, end },
-        Segment::Arc { center, ccw, .. } => Segment::Arc { start, end, center, ccw },
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     const TOLERANCE: f64 = 0.0005;
+
+    fn moved(contour: &Contour, distance: Distance, tolerance: f64) -> Contour {
+        offset(contour, distance, tolerance).contour
+    }
 
     fn shear(more: f64) -> Distance {
         Distance { forming: Forming::Shear, thickness: 2.0, more }
@@ -185,7 +158,7 @@ mod tests {
     #[test]
     fn a_cone_keeps_its_line() {
         let cone = Contour::new(vec![Segment::line(p(50.0, 20.0), p(0.0, 20.0 + 50.0 * 30.0_f64.to_radians().tan()))]);
-        let moved = offset(&cone, shear(9.0), TOLERANCE);
+        let moved = moved(&cone, shear(9.0), TOLERANCE);
         assert_eq!(moved.segments.len(), 1);
         assert!((cone.distance_to(moved.segments[0].point_at(0.5)) - 10.0).abs() < 1e-9);
     }
@@ -193,7 +166,7 @@ mod tests {
     #[test]
     fn in_a_hollow_corner_every_wall_keeps_its_distance() {
         let lines = [Segment::line(p(45.0, 30.0), p(20.0, 45.0)), Segment::line(p(20.0, 45.0), p(0.0, 60.0))];
-        let moved = offset(&Contour::new(lines.to_vec()), shear(6.0), TOLERANCE);
+        let moved = moved(&Contour::new(lines.to_vec()), shear(6.0), TOLERANCE);
         assert_eq!((moved.segments.len(), moved.largest_gap()), (2, 0.0));
         for line in lines {
             let wall = 2.0 * half_angle(line.direction_at(0.0)).sin();
@@ -215,7 +188,7 @@ mod tests {
 
     #[test]
     fn a_ball_has_the_sine_wall_everywhere() {
-        let moved = offset(&ball(), shear(0.0), TOLERANCE);
+        let moved = moved(&ball(), shear(0.0), TOLERANCE);
         assert!(moved.largest_gap() < 1e-9);
         for deg in 20..=70 {
             let angle = f64::from(deg).to_radians();
@@ -227,7 +200,7 @@ mod tests {
 
     #[test]
     fn a_constant_wall_keeps_arcs_exact() {
-        let moved = offset(&ball(), Distance { forming: Forming::Spinning, thickness: 2.0, more: 8.0 }, TOLERANCE);
+        let moved = moved(&ball(), Distance { forming: Forming::Spinning, thickness: 2.0, more: 8.0 }, TOLERANCE);
         assert_eq!(moved.segments.len(), 1);
         assert!((moved.segments[0].radius().unwrap() - 60.0).abs() < 1e-9);
     }
@@ -238,7 +211,7 @@ mod tests {
         let corners = [p(60.0, 20.0), p(50.0, 40.0), p(20.0, 50.0), p(10.0, 70.0)];
         let contour = Contour::new(corners.windows(2).map(|w| Segment::line(w[0], w[1])).collect());
         for distance in [shear(5.0), Distance { forming: Forming::Spinning, thickness: 2.0, more: 5.0 }] {
-            let moved = offset(&contour, distance, TOLERANCE);
+            let moved = moved(&contour, distance, TOLERANCE);
             assert!(moved.largest_gap() < 1e-6, "{}", moved.largest_gap());
             for segment in &moved.segments {
                 for k in 0..=20 {
@@ -258,7 +231,7 @@ mod tests {
             center: p(50.0, 30.0),
             ccw: false,
         }]);
-        assert!(offset(&hollow, shear(12.0), TOLERANCE).segments.is_empty());
-        assert!(!offset(&hollow, shear(2.0), TOLERANCE).segments.is_empty());
+        assert!(moved(&hollow, shear(12.0), TOLERANCE).segments.is_empty());
+        assert!(!moved(&hollow, shear(2.0), TOLERANCE).segments.is_empty());
     }
 }

@@ -1,8 +1,7 @@
 //! The path of the roller's nose centre: approach, contour, retreat, for every pass.
 
-use super::former::CONTOUR_TOLERANCE_MM;
 use super::law;
-use super::offset::{self, Distance};
+use super::offset;
 use super::shape::ShellShape;
 use crate::document::{Forming, Shell};
 use crate::geometry::{Contour, Point, Segment, Vector};
@@ -54,8 +53,7 @@ pub fn path(shell_mm: &Shell, shape: &ShellShape) -> RollerPath {
 fn pass_contour(shell: &Shell, shape: &ShellShape, pass: u32, passes: u32) -> Contour {
     let nose = shell.roller.nose_radius;
     if pass == passes {
-        let distance = Distance { forming: shell.forming, thickness: shape.thickness, more: nose };
-        return offset::offset(&shape.inside, distance, CONTOUR_TOLERANCE_MM);
+        return shape.centres.clone();
     }
     let angle = |at: f64| law::angle_after(shell.forming, at, pass, passes);
     let mut at = shape.tip();
@@ -64,7 +62,7 @@ fn pass_contour(shell: &Shell, shape: &ShellShape, pass: u32, passes: u32) -> Co
         let wall = law::wall(shell.forming, shape.thickness, half_angle);
         centres.push(at + offset::outward(half_angle) * (wall + nose));
     };
-    for segment in &shape.inside.segments {
+    for segment in &shape.former.segments {
         let count = segment.polyline_points(FREE_PASS_TOLERANCE_MM).len().max(1);
         let angle_at = |share: f64| angle(offset::half_angle(segment.direction_at(share)));
         push(at, angle_at(0.0));
@@ -117,7 +115,7 @@ mod tests {
         assert_eq!(pass.contour.segments.len(), 1);
         for k in 0..=10 {
             let centre = pass.contour.segments[0].point_at(f64::from(k) / 10.0);
-            assert!((shape.inside.distance_to(centre) - 9.8).abs() < 1e-9);
+            assert!((shape.former.distance_to(centre) - 9.8).abs() < 1e-9);
         }
         // The published compensation R(1 − cos 30°) is how much lower the centre lies than straight above the tip.
         let start = pass.contour.segments[0].start();
@@ -146,7 +144,7 @@ mod tests {
         assert_eq!(path.passes.len(), 3);
         for pass in &path.passes {
             let end = pass.contour.segments.last().unwrap().end();
-            assert!(shape.inside.distance_to(end) >= 9.0 && end.r < path.free_radius);
+            assert!(shape.former.distance_to(end) >= 9.0 && end.r < path.free_radius);
         }
     }
 }

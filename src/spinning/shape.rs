@@ -1,6 +1,7 @@
 //! The shell over its former: inside, outside, wall and reduction along it, and the blank that it is made from.
 
 use super::former::{self, CONTOUR_TOLERANCE_MM};
+use super::hollow::{self, Hollow};
 use super::law;
 use super::offset::{self, Distance};
 use crate::document::Shell;
@@ -28,10 +29,16 @@ pub struct Station {
 /// The finished shell. Part space, z = 0 at the chuck's face, mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShellShape {
-    /// Contour of the former from tip to base: the inside of the shell.
+    /// Contour of the former from tip to base.
+    pub former: Contour,
+    /// Inside of the shell from tip to base: the former's contour but for the hollows that the roller spans.
     pub inside: Contour,
     /// Outside of the shell from tip to base.
     pub outside: Contour,
+    /// Hollows of the former that the roller does not reach into, from tip to base.
+    pub hollows: Vec<Hollow>,
+    /// Path of the roller's nose centre along the former.
+    pub centres: Contour,
     /// Places along it, from tip to base; both sides of a corner are there.
     pub stations: Vec<Station>,
     /// Thickness of the blank, mm.
@@ -50,13 +57,13 @@ impl ShellShape {
     /// Where the contour leaves the flat tip.
     #[must_use]
     pub fn tip(&self) -> Point {
-        self.inside.segments.first().map(Segment::start).unwrap_or_default()
+        self.former.segments.first().map(Segment::start).unwrap_or_default()
     }
 
     /// Where the contour ends.
     #[must_use]
     pub fn base(&self) -> Point {
-        self.inside.segments.last().map(Segment::end).unwrap_or_default()
+        self.former.segments.last().map(Segment::end).unwrap_or_default()
     }
 
     /// The place with the thinnest wall.
@@ -70,7 +77,7 @@ impl ShellShape {
     pub fn former_outline(&self, tolerance: f64) -> Vec<Point> {
         let (tip, base) = (self.tip(), self.base());
         let mut outline = vec![Point::new(tip.z, 0.0)];
-        outline.extend(self.inside.polyline(tolerance));
+        outline.extend(self.former.polyline(tolerance));
         outline.extend([Point::new(0.0, base.r), Point::new(0.0, 0.0)]);
         outline
     }
@@ -95,12 +102,19 @@ pub fn shape(shell_mm: &Shell) -> Option<ShellShape> {
     if !(thickness.is_finite() && thickness > 0.0) {
         return None;
     }
-    let inside = former::contour(&shell_mm.former)?;
-    let distance = Distance { forming: shell_mm.forming, thickness, more: 0.0 };
-    let outside = offset::offset(&inside, distance, CONTOUR_TOLERANCE_MM);
+    let former = former::contour(&shell_mm.former)?;
+    let wall = Distance { forming: shell_mm.forming, thickness, more: 0.0 };
+    let nose = Some(shell_mm.roller.nose_radius).filter(|r| r.is_finite() && *r > 0.0).unwrap_or_default();
+    let to_centre = Distance { more: nose, ..wall };
+    let centres = offset::offset(&former, to_centre, CONTOUR_TOLERANCE_MM);
+    let (inside, hollows) = hollow::formed(&former, &centres, to_centre, CONTOUR_TOLERANCE_MM);
+    let outside = offset::offset(&inside, wall, CONTOUR_TOLERANCE_MM).contour;
     let stations = stations(&inside, shell_mm);
     let mut shape = ShellShape {
+        former,
         inside,
+        hollows,
+        centres: centres.contour,
         outside,
         stations,
         thickness,

@@ -127,3 +127,71 @@ fn the_gap_is_the_wall_along_every_contour() {
         }
     }
 }
+
+/// A former of two rows whose hollow corner, 30 mm from the tip, is sharp.
+fn hollow(base: f64, corner: f64) -> FormerShape {
+    let sections = vec![Section::line(1, 0.0, base, 10.0, corner), Section::line(2, 10.0, corner, 40.0, 60.0)];
+    FormerShape::Sections { sections }
+}
+
+#[test]
+fn a_sharp_hollow_corner_is_told_shown_and_programmed_and_the_proof_agrees() {
+    for (base, corner) in [(120.0, 90.0), (140.0, 86.0), (110.0, 95.0)] {
+        for (forming, nose) in [(Forming::Shear, 6.0), (Forming::Shear, 9.0), (Forming::Spinning, 9.0)] {
+            let mut document = example("CONE");
+            let Content::Shell(shell) = &mut document.content else { unreachable!("a shell") };
+            (shell.former.shape, shell.forming, shell.roller.nose_radius) = (hollow(base, corner), forming, nose);
+            (shell.blank.follower_diameter, shell.roller.swivel_deg) = (30.0, 0.0);
+            let made = derived(document);
+            let codes: Vec<&str> = made.diagnostics.iter().map(|d| d.code.as_str()).collect();
+            let shell = made.shell.as_ref().unwrap();
+            assert!(codes.contains(&"hollow-not-formed") && !codes.contains(&"roller-too-large"), "{codes:?}");
+            let rules = made.diagnostics.iter().filter(|d| d.code != "shell-proof");
+            if rules.clone().any(|d| d.severity == turnwright::diagnostic::Severity::Error) {
+                continue;
+            }
+            let (proof, told) = (&shell.proof, &shell.shape.hollows[0]);
+            assert!(proof.passed, "{base} {corner} {forming:?} {nose}: {:?}", proof.findings);
+            assert!(proof.tightest_mm > -0.003 && proof.widest_mm < 0.02, "{proof:?}");
+            // Rule and proof measure the same place, each in its own way.
+            assert!((proof.spanned_mm - told.stands_off).abs() < 0.003, "{} {}", proof.spanned_mm, told.stands_off);
+            assert!((told.at.z - shell.shape.base().z - 10.0).abs() < 1e-9);
+            println!("{base} {corner} {forming:?} nose {nose}: stands off {:.3} mm", told.stands_off);
+            // The wall keeps the sine law from side to side; nowhere is the shell inside the former.
+            let former = &shell.shape.former;
+            for station in &shell.shape.stations {
+                assert!(former.distance_to(station.at) < told.stands_off + 0.002);
+            }
+            let thinnest = shell.shape.stations.iter().map(|s| s.wall).fold(f64::INFINITY, f64::min);
+            assert!(thinnest > 0.0);
+        }
+    }
+}
+
+#[test]
+fn a_program_that_spans_a_hollow_further_than_it_must_is_not_excused() {
+    // The path of a larger nose, proved as one of the smaller: what the smaller could have formed is missing.
+    use turnwright::spinning::proof::{ShellProofInput, prove};
+    let with_nose = |nose: f64| {
+        let mut document = example("CONE");
+        let Content::Shell(shell) = &mut document.content else { unreachable!("a shell") };
+        (shell.former.shape, shell.forming, shell.roller.nose_radius) = (hollow(120.0, 90.0), Forming::Spinning, nose);
+        (shell.blank.follower_diameter, shell.roller.swivel_deg) = (30.0, 0.0);
+        derived(document).shell.unwrap()
+    };
+    let catalog = Catalog::shipped();
+    let machine = Arc::new(catalog.machine("linuxcnc").unwrap().clone());
+    let (wide, narrow) = (with_nose(9.0), with_nose(6.0));
+    let input = |programs, shell: &turnwright::regen::ShellDerived| ShellProofInput {
+        tools: Arc::new(turnwright::machine::outlines(&machine, &catalog)),
+        machine: Arc::clone(&machine),
+        programs,
+        program_zero_z: shell.shape.tip().z,
+        shell: (*shell.shell).clone(),
+        shape: Arc::clone(&shell.shape),
+    };
+    let own = prove(&input(Arc::clone(&narrow.programs), &narrow), &Cancel::default()).unwrap();
+    assert!(own.passed, "{:?}", own.findings);
+    let other = prove(&input(Arc::clone(&wide.programs), &narrow), &Cancel::default()).unwrap();
+    assert!(!other.passed && other.widest_mm > 0.1, "{other:?}");
+}

@@ -76,7 +76,9 @@ pub(super) fn row<T>(
 /// The worst message about a figure.
 fn problem(session: &Session, path: &str) -> Option<String> {
     use crate::diagnostic::{Place, Severity};
-    let about = |at: &Place| matches!(at, Place::Setting { path: p } if p == path);
+    // What is said of a whole list is said of every row of it.
+    let about = |p: &str| path.strip_prefix(p).is_some_and(|rest| rest.is_empty() || rest.starts_with('['));
+    let about = |at: &Place| matches!(at, Place::Setting { path: p } if about(p));
     session.problems().iter().find(|d| about(&d.at) && d.severity != Severity::Info).map(|d| d.message.clone())
 }
 

@@ -15,7 +15,8 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, sections: &[Section]) {
     for (index, section) in sections.iter().enumerate() {
         let number = index + 1;
         ui.label(theme::quiet(format!("Row {number}: {}", section.kind.name()), colors));
-        let path = "former.shape.sections";
+        let path = format!("former.shape.sections[{index}]");
+        let path = path.as_str();
         let name = |what: &str| format!("{what} of row {number}");
         if index == 0 {
             figure(ui, session, (&name("⌀ start"), path), section.d1, Counts::Length, move |shell, v| {

@@ -1,7 +1,6 @@
-//! The gap between roller and former is the wall of the shell: never less, and along the whole former not more.
+//! The gap between roller and former is never less than the wall of the shell.
 
-use super::{ShellProof, ShellProofInput, finding, shares, travelled};
-use crate::diagnostic::Severity;
+use super::{ShellProof, ShellProofInput, finding, reach, shares, travelled};
 use crate::geometry::{Bounds, Contour, Point, Segment};
 use crate::proof::{Finding, FindingKind};
 use crate::spinning::{law, offset};
@@ -9,11 +8,8 @@ use crate::spinning::{law, offset};
 /// Places of the roller further apart than this are not looked at, mm.
 const APART_MM: f64 = 0.25;
 
-/// Places along the former at which the finished gap is measured are this far apart at most, mm.
-const STATION_MM: f64 = 0.5;
-
 /// The former's contour with boxes, so that a far segment is not measured.
-struct Former<'a> {
+pub(super) struct Former<'a> {
     contour: &'a Contour,
     boxes: Vec<Bounds>,
 }
@@ -40,7 +36,7 @@ impl<'a> Former<'a> {
     }
 }
 
-fn box_distance(b: &Bounds, p: Point) -> f64 {
+pub(super) fn box_distance(b: &Bounds, p: Point) -> f64 {
     let dz = (b.min.z - p.z).max(p.z - b.max.z).max(0.0);
     let dr = (b.min.r - p.r).max(p.r - b.max.r).max(0.0);
     dz.hypot(dr)
@@ -48,13 +44,11 @@ fn box_distance(b: &Bounds, p: Point) -> f64 {
 
 /// Looks at every move, and then along the former.
 pub(super) fn check(input: &ShellProofInput, found: &mut ShellProof) {
-    let former = Former::new(&input.shape.inside);
+    let former = Former::new(&input.shape.former);
     let (tightest, wrong) = tightest(input, found, &former);
     found.tightest_mm = tightest;
     found.findings.extend(wrong);
-    let (widest, wrong) = widest(input, found);
-    found.widest_mm = widest;
-    found.findings.extend(wrong);
+    reach::check(input, found, &former);
 }
 
 /// Smallest gap less the wall, and the worst place of every block where it is under the tolerance.
@@ -85,6 +79,12 @@ fn tightest(input: &ShellProofInput, found: &ShellProof, former: &Former<'_>) ->
     (least, wrong)
 }
 
+/// The gap of a roller with its nose centre here, less the wall that belongs there, mm.
+pub(super) fn over(input: &ShellProofInput, former: &Former<'_>, centre: Point) -> Option<f64> {
+    let (distance, _, segment) = former.nearest(centre)?;
+    Some(signed(input, centre, distance) - input.shell.roller.nose_radius - wall_at(input, segment, centre))
+}
+
 /// The distance from the former, negative inside it.
 fn signed(input: &ShellProofInput, centre: Point, distance: f64) -> f64 {
     let (tip, base) = (input.shape.tip(), input.shape.base());
@@ -96,7 +96,7 @@ fn signed(input: &ShellProofInput, centre: Point, distance: f64) -> f64 {
 fn is_under(input: &ShellProofInput, p: Point) -> bool {
     input
         .shape
-        .inside
+        .former
         .segments
         .iter()
         .filter(|s| s.end().z <= p.z && p.z <= s.start().z)
@@ -110,42 +110,4 @@ fn wall_at(input: &ShellProofInput, segment: &Segment, centre: Point) -> f64 {
     let angle =
         away.try_normalize(1e-9).map_or_else(|| offset::half_angle(segment.direction_at(0.0)), |n| n.x.atan2(n.y));
     law::wall(input.shell.forming, input.shape.thickness, angle)
-}
-
-/// Largest gap less the wall after all moves, and a finding where it is over the tolerance.
-fn widest(input: &ShellProofInput, found: &ShellProof) -> (f64, Option<Finding>) {
-    let nose = input.shell.roller.nose_radius;
-    let paths: Vec<(&crate::proof::Move, Bounds)> = travelled(found).map(|(_, m)| (m, m.path.bounds())).collect();
-    let mut widest = f64::NEG_INFINITY;
-    let mut place = None;
-    for segment in &input.shape.inside.segments {
-        for share in shares(segment, STATION_MM) {
-            let at = segment.point_at(share);
-            let angle = offset::half_angle(segment.direction_at(share));
-            let wall = law::wall(input.shell.forming, input.shape.thickness, angle);
-            let centre = at + offset::outward(angle) * (nose + wall);
-            let mut nearest = f64::INFINITY;
-            for (m, bounds) in &paths {
-                if box_distance(bounds, centre) < nearest {
-                    nearest = nearest.min(m.path.distance_to(centre));
-                }
-            }
-            if nearest > widest {
-                (widest, place) = (nearest, Some(at));
-            }
-        }
-    }
-    let tolerance = input.shell.gap_tolerance;
-    if widest <= tolerance || place.is_none() {
-        return (widest.max(0.0), None);
-    }
-    let program = input.programs.last().map_or_else(String::new, |p| p.name.clone());
-    let message = format!(
-        "The roller passes {widest:.3} mm off the place where it forms the wall; the tolerance is {tolerance:.3} mm."
-    );
-    let block = found.moves.last().map_or(1, |m| m.block);
-    let kind = FindingKind::Leftover;
-    let severity = Severity::Error;
-    let finding = Finding { severity, kind, program, block, at: place, value: widest, limit: tolerance, message };
-    (widest, Some(finding))
 }

@@ -6,6 +6,7 @@
 mod contact;
 mod gap;
 mod obstacles;
+mod reach;
 
 use super::shape::ShellShape;
 use crate::cancel::{Cancel, Cancelled};
@@ -47,8 +48,10 @@ pub struct ShellProof {
     pub moves: Vec<Move>,
     /// Smallest gap between roller and former less the wall there, mm; negative is thinner than the wall.
     pub tightest_mm: f64,
-    /// Largest gap less the wall along the former after the last pass, mm.
+    /// Largest gap less the wall along the former after the last pass, mm; hollows that the nose does not reach left out.
     pub widest_mm: f64,
+    /// Largest distance of the shell from the former in hollows that the nose does not reach into, mm.
+    pub spanned_mm: f64,
     /// Smallest distance of the roller from former, chuck, follower and tailstock, mm.
     pub clearance_mm: f64,
 }
