@@ -144,33 +144,49 @@ impl Run {
     /// How much further from the axis than wanted the roller was at a place of its path, mm.
     #[must_use]
     pub fn error_at(&self, point: &ActualPoint) -> f64 {
-        point.retreat_mm - self.controller.plan().wanted_at(point.carriage_mm / MM_PER_PULSE) * MM_PER_STEP
+        point.error_mm(self.controller.plan())
     }
 
     /// How far the run was off.
     #[must_use]
     pub fn errors(&self) -> RunErrors {
-        let count = self.actual.len().max(1) as f64;
-        let errors = || self.actual.iter().map(|p| self.error_at(p));
-        RunErrors {
+        RunErrors::of(self.controller.plan(), &self.actual)
+    }
+}
+
+impl ActualPoint {
+    /// How much further from the axis the roller was here than `plan` wants, mm.
+    #[must_use]
+    pub fn error_mm(&self, plan: &Plan) -> f64 {
+        self.retreat_mm - plan.wanted_at(self.carriage_mm / MM_PER_PULSE) * MM_PER_STEP
+    }
+}
+
+impl RunErrors {
+    /// How far a path was off its plan.
+    #[must_use]
+    pub fn of(plan: &Plan, actual: &[ActualPoint]) -> Self {
+        let count = actual.len().max(1) as f64;
+        let errors = || actual.iter().map(|p| p.error_mm(plan));
+        Self {
             largest_mm: errors().map(f64::abs).fold(0.0, f64::max),
             mean_mm: errors().map(f64::abs).sum::<f64>() / count,
-            final_mm: self.actual.last().map_or(0.0, |p| self.error_at(p)),
-            angle_deg: self.slope().atan().to_degrees(),
+            final_mm: actual.last().map_or(0.0, |p| p.error_mm(plan)),
+            angle_deg: slope(actual).atan().to_degrees(),
         }
     }
+}
 
-    /// Slope of the straight line of least squares through the path.
-    fn slope(&self) -> f64 {
-        let count = self.actual.len().max(1) as f64;
-        let mean = |value: fn(&ActualPoint) -> f64| self.actual.iter().map(value).sum::<f64>() / count;
-        let (x0, y0) = (mean(|p| p.carriage_mm), mean(|p| p.retreat_mm));
-        let (xy, xx) = self.actual.iter().fold((0.0, 0.0), |(xy, xx), p| {
-            let dx = p.carriage_mm - x0;
-            (xy + dx * (p.retreat_mm - y0), xx + dx * dx)
-        });
-        if xx > 0.0 { xy / xx } else { 0.0 }
-    }
+/// Slope of the straight line of least squares through a path.
+fn slope(actual: &[ActualPoint]) -> f64 {
+    let count = actual.len().max(1) as f64;
+    let mean = |value: fn(&ActualPoint) -> f64| actual.iter().map(value).sum::<f64>() / count;
+    let (x0, y0) = (mean(|p| p.carriage_mm), mean(|p| p.retreat_mm));
+    let (xy, xx) = actual.iter().fold((0.0, 0.0), |(xy, xx), p| {
+        let dx = p.carriage_mm - x0;
+        (xy + dx * (p.retreat_mm - y0), xx + dx * dx)
+    });
+    if xx > 0.0 { xy / xx } else { 0.0 }
 }
 
 #[cfg(test)]

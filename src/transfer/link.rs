@@ -35,6 +35,24 @@ pub trait Link: Send + fmt::Debug {
     fn discard_queued(&mut self);
 }
 
+impl Link for Box<dyn Link> {
+    fn write_some(&mut self, bytes: &[u8], timeout: Duration) -> io::Result<usize> {
+        (**self).write_some(bytes, timeout)
+    }
+
+    fn read_some(&mut self, buffer: &mut [u8], timeout: Duration) -> io::Result<usize> {
+        (**self).read_some(buffer, timeout)
+    }
+
+    fn queued(&mut self) -> io::Result<usize> {
+        (**self).queued()
+    }
+
+    fn discard_queued(&mut self) {
+        (**self).discard_queued();
+    }
+}
+
 /// One direction of a pipe.
 #[derive(Debug, Default)]
 struct Lane {

@@ -38,4 +38,4 @@ pub mod virtual_lathe;
 pub use compare::{Blanks, Difference};
 pub use job::{Event, Job, Outcome, Progress, Request, State, Task, Timing};
 pub use link::Link;
-pub use ports::{Port, PortChoice, Target, ports};
+pub use ports::{Port, PortChoice, Target, ports, serial_ports};

@@ -31,11 +31,17 @@ pub fn ports(delivery: &Delivery) -> Vec<PortChoice> {
         Protocol::FanucReaderPunch(_) => "Virtual Fanuc (no cable needed)",
     };
     let lathe = PortChoice { name: VIRTUAL.to_owned(), label: label.to_owned() };
+    std::iter::once(lathe).chain(serial_ports()).collect()
+}
+
+/// The serial ports at which a rig may be; none in a Turnwright built without serial ports. A path may be typed as well.
+#[must_use]
+pub fn serial_ports() -> Vec<PortChoice> {
     #[cfg(feature = "serial")]
     let serial = super::serial::choices();
     #[cfg(not(feature = "serial"))]
     let serial = Vec::new();
-    std::iter::once(lathe).chain(serial).collect()
+    serial
 }
 
 /// Where a transfer goes.

@@ -165,3 +165,130 @@ fn other_shells_and_the_former_as_a_part() {
         window.keep_picture(&format!("former-{}", name.to_lowercase()));
     }
 }
+
+#[cfg(unix)]
+mod at_a_port {
+    use super::*;
+    use std::sync::mpsc;
+    use std::time::{Duration, Instant};
+    use turnwright::cancel::Cancel;
+    use turnwright::spinning::rig::{RigModel, SimulatedRig};
+    use turnwright::transfer::rig::{Device, run_on_pty};
+
+    /// A rig on a pseudo-terminal whose time passes thirty times as fast.
+    struct PortRig {
+        cancel: Cancel,
+        port: String,
+        thread: Option<std::thread::JoinHandle<Result<(), String>>>,
+    }
+
+    impl PortRig {
+        fn new() -> Self {
+            let cancel = Cancel::default();
+            let (tell, ready) = mpsc::channel();
+            let unplugged = cancel.clone();
+            let thread = std::thread::spawn(move || {
+                let device = Device::new(SimulatedRig::new(RigModel::new(95.0, 1.27), Vec::new()));
+                run_on_pty(device, 30.0, |port| tell.send(port).expect("waited for"), &unplugged)
+            });
+            let port = ready.recv_timeout(Duration::from_secs(30)).expect("a pseudo-terminal");
+            Self { cancel, port, thread: Some(thread) }
+        }
+
+        fn unplug(&mut self) {
+            self.cancel.cancel();
+            if let Some(thread) = self.thread.take() {
+                assert_eq!(thread.join().expect("the rig's thread"), Ok(()));
+            }
+        }
+    }
+
+    impl Drop for PortRig {
+        fn drop(&mut self) {
+            self.cancel.cancel();
+        }
+    }
+
+    /// Frames until a text is shown.
+    fn until(window: &mut Window, text: &str) {
+        let until = Instant::now() + Duration::from_secs(60);
+        while window.harness.query_by_label_contains(text).is_none() {
+            window.harness.run_steps(1);
+            assert!(Instant::now() < until, "{text} never came");
+            std::thread::sleep(Duration::from_millis(2));
+        }
+    }
+
+    fn choose_port(window: &mut Window, port: &str) {
+        window.click("Rig");
+        choose(window, "Which rig", "rig at a port…");
+        let field = window.harness.get_by_label("Path of the rig's port");
+        field.focus();
+        window.harness.run_steps(2);
+        window.harness.event(egui::Event::Text(port.to_owned()));
+        window.harness.run_steps(2);
+        window.harness.key_press(Key::Enter);
+        window.harness.run_steps(4);
+    }
+
+    #[test]
+    fn a_rig_at_a_port_is_run_stopped_and_lost() {
+        let mut rig = PortRig::new();
+        let mut window = open("CONE");
+        choose_port(&mut window, &rig.port);
+        window.keep_picture("rig-chosen");
+        lead(&mut window, &["Begin", "Done", "Done", "Done", "Done", "Done"]);
+        until(&mut window, "Which contour is formed?");
+        lead(&mut window, &["C  this shell", "Run"]);
+        until(&mut window, "follows the contour ·");
+        window.harness.run_steps(20);
+        window.keep_picture("rig-at-a-port");
+        until(&mut window, "Another identical piece?");
+        window.keep_picture("rig-at-a-port-done");
+        // Another piece, and the key of the emergency stop in the middle of it.
+        lead(&mut window, &["Yes"]);
+        until(&mut window, "follows the contour ·");
+        window.harness.key_press(Key::Escape);
+        until(&mut window, "stopped ·");
+        assert!(window.harness.query_by_label("Emergency stop by the operator.").is_some());
+        window.keep_picture("rig-at-a-port-stopped");
+        // A third, and the plug is pulled.
+        lead(&mut window, &["Set up again", "Done", "Done", "Done", "Done", "Done"]);
+        until(&mut window, "Which contour is formed?");
+        lead(&mut window, &["C  this shell", "Run"]);
+        until(&mut window, "follows the contour ·");
+        rig.unplug();
+        until(&mut window, "The rig stops by itself after 2 s without a word");
+        window.keep_picture("rig-at-a-port-lost");
+    }
+
+    #[test]
+    fn a_port_without_a_rig_is_told() {
+        let mut window = open("CONE");
+        choose_port(&mut window, "/dev/no-such-port");
+        lead(&mut window, &["Begin", "Done", "Done", "Done", "Done", "Done"]);
+        until(&mut window, "/dev/no-such-port could not be opened");
+        window.keep_picture("rig-refused");
+        choose(&mut window, "Which rig", "simulated rig");
+        set_up(&mut window);
+    }
+}
+
+#[test]
+fn a_sharp_hollow_corner_is_shown_as_it_will_be() {
+    let mut window = open("CONE");
+    window.session().edit("hollow", None, |document| {
+        let Content::Shell(shell) = &mut document.content else { panic!("a shell") };
+        let row = |id, z1, d1, z2, d2| turnwright::part::Section::line(id, z1, d1, z2, d2);
+        let sections = vec![row(1, 0.0, 140.0, 10.0, 86.0), row(2, 10.0, 86.0, 40.0, 60.0)];
+        shell.former.shape = FormerShape::Sections { sections };
+        (shell.blank.follower_diameter, shell.roller.swivel_deg) = (30.0, 0.0);
+    });
+    window.until_current();
+    window.harness.run_steps(4);
+    window.keep_picture("hollow-corner");
+    window.click("Problems");
+    window.harness.run_steps(2);
+    assert!(window.harness.query_by_label_contains("is a sharp corner").is_some());
+    window.keep_picture("hollow-corner-problems");
+}

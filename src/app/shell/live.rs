@@ -1,5 +1,7 @@
-//! The operator's sequence with the simulated rig behind it, and the runs that it made.
+//! The operator's sequence with the rig behind it, and the runs that it made.
 
+use super::port::RigPort;
+use super::ran::Ran;
 use super::shell;
 use crate::document::RigChoices;
 use crate::session::Session;
@@ -7,7 +9,8 @@ use crate::spinning::control::{Moves, Phase, Plan, Watch};
 use crate::spinning::operator::{Command, Event, Job, Key, Sequence};
 use crate::spinning::published::Arithmetic;
 use crate::spinning::rig::{Fault, Rig, RigModel, SimulatedRig};
-use crate::spinning::run::{Run, RunErrors};
+use crate::spinning::run::Run;
+use crate::transfer::rig::{RemoteRun, RigEvent};
 use egui::Ui;
 use std::time::Duration;
 
@@ -44,24 +47,8 @@ pub(super) struct Made {
     pub(super) number: usize,
     pub(super) name: String,
     pub(super) job: Job,
-    pub(super) run: Run,
+    pub(super) run: Ran,
     pub(super) shown: bool,
-}
-
-impl Made {
-    pub(super) fn errors(&self) -> RunErrors {
-        self.run.errors()
-    }
-
-    /// How it ended.
-    pub(super) fn verdict(&self) -> String {
-        match self.run.controller().phase() {
-            Phase::Completed => "completed".to_owned(),
-            Phase::Stopped { reason, drawn_back: true } => format!("stopped: {reason}"),
-            Phase::Stopped { reason, .. } => format!("stopped, roller not drawn back: {reason}"),
-            _ => "running".to_owned(),
-        }
-    }
 }
 
 /// The sequence, its rig and its runs.
@@ -70,6 +57,8 @@ pub(super) struct Live {
     pub(super) sequence: Sequence,
     pub(super) setting: Setting,
     pub(super) runs: Vec<Made>,
+    pub(super) port: RigPort,
+    ctx: Option<egui::Context>,
     running: bool,
     count: usize,
     frame: u64,
@@ -81,6 +70,8 @@ impl Default for Live {
             sequence: Sequence::new(true),
             setting: Setting::default(),
             runs: Vec::new(),
+            port: RigPort::default(),
+            ctx: None,
             running: false,
             count: 0,
             frame: 0,
@@ -105,8 +96,12 @@ impl Live {
         if std::mem::replace(&mut self.frame, frame) == frame {
             return;
         }
+        self.ctx.get_or_insert_with(|| ui.ctx().clone());
         self.sequence.set_design(session.derived().is_some_and(|d| d.shell.is_some()));
         self.keys(ui, session);
+        for event in self.port.events() {
+            self.heard(&event);
+        }
         if !self.running {
             return;
         }
@@ -120,16 +115,38 @@ impl Live {
         ui.ctx().request_repaint_after(Duration::from_millis(16));
     }
 
+    /// What a rig behind a line tells.
+    fn heard(&mut self, event: &RigEvent) {
+        if self.running {
+            self.runs.iter_mut().last().into_iter().for_each(|made| made.run.take(event));
+        }
+        match event {
+            RigEvent::Ready(remarks) => self.port.remarks.clone_from(remarks),
+            RigEvent::At(_) => {}
+            RigEvent::AtDatum => _ = self.sequence.take(Event::AtDatum),
+            RigEvent::Completed => self.over(Event::Completed),
+            RigEvent::Stopped { reason, drawn_back: true } => self.over(Event::Stopped(reason.clone())),
+            RigEvent::Stopped { reason, .. } => self.over(Event::Stopped(by_hand(reason))),
+            RigEvent::Lost(reason) => {
+                self.port.close();
+                self.over(Event::Stopped(reason.clone()));
+            }
+        }
+    }
+
+    fn over(&mut self, event: Event) {
+        self.running = false;
+        self.sequence.take(event);
+    }
+
     fn advance(&mut self, seconds: f64) {
-        let Some(made) = self.runs.last_mut() else { return };
-        made.run.advance(seconds);
-        if made.run.is_over() {
+        let Some(Ran::Simulated(run)) = self.runs.last_mut().map(|made| &mut made.run) else { return };
+        run.advance(seconds);
+        if run.is_over() {
             self.running = false;
-            let event = match made.run.controller().phase() {
+            let event = match run.controller().phase() {
                 Phase::Stopped { reason, drawn_back: true } => Event::Stopped(reason.to_string()),
-                Phase::Stopped { reason, .. } => {
-                    Event::Stopped(format!("{reason} The roller could not be drawn back: do it by hand."))
-                }
+                Phase::Stopped { reason, .. } => Event::Stopped(by_hand(reason)),
                 _ => Event::Completed,
             };
             self.sequence.take(event);
@@ -138,7 +155,7 @@ impl Live {
 
     /// Keys go to the sequence while no text is edited; Escape is emergency stop while the rig runs, whatever is edited.
     fn keys(&mut self, ui: &Ui, session: &Session) {
-        if self.running && ui.input(|i| i.key_pressed(egui::Key::Escape)) {
+        if (self.running || self.port.is_open()) && ui.input(|i| i.key_pressed(egui::Key::Escape)) {
             self.press(Key::Emergency, session);
             return;
         }
@@ -170,8 +187,22 @@ impl Live {
         }
     }
 
+    /// Another rig is chosen; it is set up from the beginning.
+    pub(super) fn choose_rig(&mut self, port: Option<String>) {
+        if !self.running {
+            self.port.choose(port);
+            self.sequence = Sequence::new(true);
+        }
+    }
+
     /// The simulated roller is drawn back in an instant.
     fn seek_datum(&mut self) {
+        if self.port.name().is_some() {
+            if let Err(reason) = self.port.seek_datum(self.ctx.as_ref()) {
+                self.sequence.take(Event::Stopped(reason));
+            }
+            return;
+        }
         /// More looks than a full stroke takes.
         const LOOKS: u32 = 20_000;
         let mut rig = SimulatedRig::new(RigModel::new(1.0, 1.0), Vec::new());
@@ -187,24 +218,40 @@ impl Live {
             self.sequence.take(Event::Stopped("The shell is not ready; correct its figures first.".to_owned()));
             return;
         };
-        self.count += 1;
-        let faults: Vec<Fault> = self.setting.fault.into_iter().collect();
-        let run = Run::new(plan, SimulatedRig::new(model, faults));
         let mut name = job.name();
-        if self.setting.moves == Moves::Relative {
-            name.push_str(", relative");
-        }
         if self.setting.arithmetic == Arithmetic::AsPublished && job != Job::Design {
             name.push_str(", 16 bits");
         }
-        if let Some(fault) = self.setting.fault {
-            name = format!("{name}, {fault}");
-        }
+        let run = match (self.port.name(), self.port.line()) {
+            (None, _) => self.simulated(plan, model, &mut name),
+            (Some(port), Some(line)) => {
+                name = format!("{name}, on {port}");
+                line.run(plan.clone());
+                Ran::OnLine(Box::new(RemoteRun::new(plan)))
+            }
+            (Some(_), None) => {
+                self.sequence.take(Event::Stopped("The rig is not connected; set it up again.".to_owned()));
+                return;
+            }
+        };
         if self.runs.len() >= MOST_RUNS {
             self.runs.remove(0);
         }
+        self.count += 1;
         self.runs.push(Made { number: self.count, name, job, run, shown: true });
         self.running = true;
+    }
+
+    fn simulated(&self, plan: Plan, model: RigModel, name: &mut String) -> Ran {
+        if self.setting.moves == Moves::Relative {
+            name.push_str(", relative");
+        }
+        if let Some(fault) = self.setting.fault {
+            name.push_str(&format!(", {fault}"));
+        }
+        let faults: Vec<Fault> = self.setting.fault.into_iter().collect();
+        let plan = Plan { moves: self.setting.moves, ..plan };
+        Ran::Simulated(Box::new(Run::new(plan, SimulatedRig::new(model, faults))))
     }
 
     fn plan(&self, job: Job, session: &Session) -> Option<(Plan, RigModel)> {
@@ -219,14 +266,24 @@ impl Live {
         let watch = (!self.setting.unwatched).then_some(watch);
         let plan = job.plan(&made.set_points, self.setting.arithmetic, watch);
         let usable = shell(session).is_some() && !plan.targets.is_empty();
-        usable.then_some((Plan { moves: self.setting.moves, ..plan }, model))
+        usable.then_some((plan, model))
     }
 
-    /// Emergency stop: the run is let run out at once, which draws back and switches off.
+    /// Emergency stop. A rig behind a line goes on telling until its roller is back; the simulated one is let run out at
+    /// once, which draws back and switches off.
     fn stop(&mut self) {
-        let Some(made) = self.runs.last_mut().filter(|_| self.running) else { return };
-        made.run.emergency_stop();
-        made.run.advance(60.0);
+        if let Some(line) = self.port.line() {
+            line.emergency_stop();
+            return;
+        }
+        let newest = self.runs.last_mut().filter(|_| self.running);
+        let Some(Ran::Simulated(run)) = newest.map(|made| &mut made.run) else { return };
+        run.emergency_stop();
+        run.advance(60.0);
         self.running = false;
     }
+}
+
+fn by_hand(reason: &dyn std::fmt::Display) -> String {
+    format!("{reason} The roller could not be drawn back: do it by hand.")
 }

@@ -5,6 +5,8 @@ mod data;
 mod form;
 mod live;
 mod operator;
+mod port;
+mod ran;
 mod rig;
 mod rows;
 mod runs;

@@ -80,9 +80,9 @@ fn keypad(ui: &mut Ui, session: &Session, views: &mut ShellViews) {
 
 fn progress(ui: &mut Ui, views: &ShellViews) {
     let Some(made) = views.live.newest() else { return };
-    let plan = made.run.controller().plan();
+    let plan = made.run.plan();
     let last = plan.targets.last().map_or(1.0, |t| f64::from(t.pulses));
-    let here = made.run.rig().carriage_mm().max(0.0) / crate::spinning::published::MM_PER_PULSE;
+    let here = made.run.carriage_mm().max(0.0) / crate::spinning::published::MM_PER_PULSE;
     #[allow(clippy::cast_possible_truncation, reason = "a share of 0 to 1")]
     let share = (here / last.max(1.0)).clamp(0.0, 1.0) as f32;
     ui.add(egui::ProgressBar::new(share).desired_height(10.0));

@@ -2,12 +2,12 @@
 
 use super::ShellViews;
 use super::chart::{chart, limit, line};
-use super::live::{Made, Pace, Setting};
+use super::live::{Live, Made, Pace, Setting};
 use crate::app::plots::Palette;
 use crate::app::theme::{self, Colors};
-use crate::app::widgets::{choice, title_row};
+use crate::app::widgets::{Typed, choice, field, title_row};
 use crate::session::Session;
-use crate::spinning::control::{Moves, Phase};
+use crate::spinning::control::Moves;
 use crate::spinning::operator::Key;
 use crate::spinning::published::{Arithmetic, MM_PER_PULSE, MM_PER_STEP};
 use crate::spinning::rig::Fault;
@@ -31,24 +31,32 @@ struct RunLines {
 
 /// Shows the panel; true if it is dragged by its title.
 pub(super) fn show(ui: &mut Ui, titled: bool, session: &Session, views: &mut ShellViews) -> bool {
-    let remark = views.live.newest().map_or_else(|| "simulated".to_owned(), status);
+    let running = views.live.is_running();
+    let remark = views.live.newest().map_or_else(String::new, status);
     let dragged = title_row(ui, titled.then_some("Rig"), &remark, |ui| {
-        if views.live.is_running() && super::operator::stop_button(ui) {
-            views.live.press(Key::Emergency, session);
+        if running || views.live.port.is_open() {
+            if super::operator::stop_button(ui) {
+                views.live.press(Key::Emergency, session);
+            }
+        }
+        if !running {
+            which_rig(ui, &mut views.live);
         }
     });
-    let running = views.live.is_running();
-    ui.add_enabled_ui(!running, |ui| settings(ui, &mut views.live.setting));
+    ui.add_enabled_ui(!running, |ui| settings(ui, &mut views.live));
+    let colors = Colors::of(ui.visuals());
+    for remark in &views.live.port.remarks {
+        ui.label(theme::quiet(remark, colors));
+    }
     let Some(made) = views.live.newest() else {
-        let colors = Colors::of(ui.visuals());
         ui.add_space(12.0);
-        ui.label(theme::quiet("No run yet. The operator's panel leads to the first one.", colors));
+        ui.label(theme::quiet(nothing_yet(&views.live), colors));
         return dragged;
     };
     views.charts.follow(made);
     let palette = Palette::of(ui.visuals());
     let size = vec2((ui.available_width() - 10.0) / 2.0, ui.available_height());
-    let watch = made.run.controller().plan().watch;
+    let watch = made.run.plan().watch;
     ui.horizontal(|ui| {
         chart(ui, "path", ("carriage, mm", "roller back, mm"), size, |plot| {
             let RunLines { wanted, commanded, actual, .. } = views.charts.lines.clone();
@@ -68,44 +76,76 @@ pub(super) fn show(ui: &mut Ui, titled: bool, session: &Session, views: &mut She
 }
 
 fn status(made: &Made) -> String {
-    let phase = match made.run.controller().phase() {
-        Phase::ToDatum => "to the datum",
-        Phase::Advance => "roller advances",
-        Phase::RunUp => "carriage to the tip",
-        Phase::Follow => "follows the contour",
-        Phase::Retract => "roller back",
-        Phase::Settle => "leadscrew settles",
-        Phase::Completed => "completed",
-        Phase::Stopping(_) => "stopping",
-        Phase::Stopped { .. } => "stopped",
-    };
     format!(
-        "{phase} · {:.1} s · carriage {:.2} mm · roller {:.2} mm back",
+        "{} · {:.1} s · carriage {:.2} mm · roller {:.2} mm back",
+        made.run.phase(),
         made.run.time_s(),
-        made.run.rig().carriage_mm(),
+        made.run.carriage_mm(),
         made.run.retreat_mm()
     )
 }
 
-/// What is chosen for the next run, side by side.
-fn settings(ui: &mut Ui, setting: &mut Setting) {
+fn nothing_yet(live: &Live) -> String {
+    live.port.name().map_or_else(
+        || "No run yet. The operator's panel leads to the first one.".to_owned(),
+        |port| {
+            let port = if port.is_empty() { "the port" } else { port };
+            format!("No run yet. The line to the rig at {port} is opened when the machine is set up, by the operator's panel.")
+        },
+    )
+}
+
+/// The choice between the simulated rig and those at ports.
+fn which_rig(ui: &mut Ui, live: &mut Live) {
+    /// Width of the choice, points.
+    const WIDTH: f32 = 190.0;
+    let chosen = live.port.name().map(str::to_owned);
+    if let Some(rig) = choice(ui, "Which rig", &chosen, &live.port.choices(), WIDTH) {
+        live.choose_rig(rig);
+    }
+}
+
+/// What is chosen for the next run, side by side. A rig at a port has its own pace and its own faults.
+fn settings(ui: &mut Ui, live: &mut Live) {
     let width = (ui.available_width() - 4.0 * ui.spacing().item_spacing.x) / 5.0;
+    let on_line = live.port.name().is_some();
     ui.horizontal(|ui| {
-        let pace = [(Pace::Real, "real time"), (Pace::Tenfold, "10 times as fast"), (Pace::AtOnce, "at once")];
-        pick(ui, "Pace", &mut setting.pace, &pace, width);
-        let moves = [(Moves::Absolute, "absolute moves"), (Moves::Relative, "relative moves")];
-        pick(ui, "Moves", &mut setting.moves, &moves, width);
+        if on_line {
+            port_path(ui, live, 2.0 * width + ui.spacing().item_spacing.x);
+        } else {
+            let setting = &mut live.setting;
+            let pace = [(Pace::Real, "real time"), (Pace::Tenfold, "10 times as fast"), (Pace::AtOnce, "at once")];
+            pick(ui, "Pace", &mut setting.pace, &pace, width);
+            let moves = [(Moves::Absolute, "absolute moves"), (Moves::Relative, "relative moves")];
+            pick(ui, "Moves", &mut setting.moves, &moves, width);
+        }
+        let setting = &mut live.setting;
         let bits = [(Arithmetic::Exact, "exact"), (Arithmetic::AsPublished, "16 bits")];
         pick(ui, "Arithmetic", &mut setting.arithmetic, &bits, width);
         let watched = [(false, "path watched"), (true, "not watched")];
         pick(ui, "Watch", &mut setting.unwatched, &watched, width);
-        let names = Fault::all().map(|fault| (Some(fault), fault.to_string()));
-        let mut faults = vec![(None, "no fault".to_owned())];
-        faults.extend(names);
-        if let Some(fault) = choice(ui, "Fault", &setting.fault, &faults, width) {
-            setting.fault = fault;
+        if !on_line {
+            fault(ui, setting, width);
         }
     });
+}
+
+fn fault(ui: &mut Ui, setting: &mut Setting, width: f32) {
+    let names = Fault::all().map(|fault| (Some(fault), fault.to_string()));
+    let mut faults = vec![(None, "no fault".to_owned())];
+    faults.extend(names);
+    if let Some(fault) = choice(ui, "Fault", &setting.fault, &faults, width) {
+        setting.fault = fault;
+    }
+}
+
+/// The port by its path, in the place of what only the simulated rig has.
+fn port_path(ui: &mut Ui, live: &mut Live, width: f32) {
+    let present = live.port.name().unwrap_or_default().to_owned();
+    let read = |text: &str| Ok(text.trim().to_owned());
+    if let Some(Typed::Left(Some(path))) = field(ui, "Path of the rig's port", &present, width, read) {
+        live.choose_rig(Some(path));
+    }
 }
 
 fn pick<T: PartialEq + Copy>(ui: &mut Ui, name: &str, present: &mut T, all: &[(T, &str)], width: f32) {
@@ -127,12 +167,12 @@ impl Charts {
 
 impl RunLines {
     fn of(made: &Made) -> Self {
-        let plan = made.run.controller().plan();
+        let plan = made.run.plan();
         let at = |pulses: u32, steps: f64| [f64::from(pulses) * MM_PER_PULSE, steps * MM_PER_STEP];
         let wanted = std::iter::once([0.0, 0.0]).chain(plan.targets.iter().map(|t| at(t.pulses, f64::from(t.steps))));
         let commanded = made.run.actual().iter().map(|p| [p.carriage_mm, p.driven_mm]);
         let actual = made.run.actual().iter().map(|p| [p.carriage_mm, p.retreat_mm]);
-        let error = made.run.actual().iter().map(|p| [p.carriage_mm, made.run.error_at(p)]);
+        let error = made.run.actual().iter().map(|p| [p.carriage_mm, p.error_mm(plan)]);
         Self {
             wanted: wanted.collect(),
             commanded: commanded.collect(),

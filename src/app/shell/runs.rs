@@ -61,16 +61,14 @@ fn color_of(made: &Made) -> Color32 {
 
 /// Two lines: what it was, and what came of it.
 fn entry(ui: &mut Ui, made: &mut Made, colors: &Colors) {
-    let errors = made.errors();
+    let errors = made.run.errors();
     ui.horizontal(|ui| {
         let (rect, _) = ui.allocate_exact_size(vec2(10.0, 10.0), egui::Sense::hover());
         ui.painter().rect_filled(rect, 2.0, color_of(made));
         toggle(ui, &mut made.shown, &format!("{}  {}", made.number, made.name));
     });
-    let good =
-        made.run.is_over() && matches!(made.run.controller().phase(), crate::spinning::control::Phase::Completed);
-    let color = if good { colors.plot.quiet } else { colors.plot.wrong };
-    ui.label(RichText::new(made.verdict()).color(color));
+    let color = if made.run.is_completed() || made.run.is_running() { colors.plot.quiet } else { colors.plot.wrong };
+    ui.label(RichText::new(made.run.verdict()).color(color));
     let text = format!(
         "error largest {:.2}, mean {:.2}, at the end {:+.2} mm · angle {:.2}°",
         errors.largest_mm, errors.mean_mm, errors.final_mm, errors.angle_deg
@@ -82,7 +80,7 @@ fn entry(ui: &mut Ui, made: &mut Made, colors: &Colors) {
 fn errors(ui: &mut Ui, runs: &[Made], size: egui::Vec2) {
     chart(ui, "errors", ("carriage, mm", "too far back, mm"), size, |plot| {
         for made in runs.iter().filter(|m| m.shown) {
-            let error = made.run.actual().iter().map(|p| [p.carriage_mm, made.run.error_at(p)]);
+            let error = made.run.actual().iter().map(|p| [p.carriage_mm, p.error_mm(made.run.plan())]);
             line(plot, &made.name, error.collect(), color_of(made), 1.3);
         }
     });
@@ -96,7 +94,7 @@ fn measurements(ui: &mut Ui, runs: &[Made], size: egui::Vec2) {
         .iter()
         .filter(|m| m.shown)
         .filter_map(|m| match m.job {
-            Job::Cone(cone) => Some([f64::from(cone.angle_deg()), m.errors().angle_deg]),
+            Job::Cone(cone) => Some([f64::from(cone.angle_deg()), m.run.errors().angle_deg]),
             Job::Parabola(_) | Job::Design => None,
         })
         .collect();

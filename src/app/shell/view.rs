@@ -66,6 +66,6 @@ pub(super) fn show(
 fn roller(views: &ShellViews, made: &crate::regen::ShellDerived) -> Option<Point> {
     let newest = views.live.newest().filter(|m| m.job == Job::Design && views.live.is_running())?;
     let start = made.path.last()?.contour.segments.first()?.start();
-    let carriage = newest.run.rig().carriage_mm();
+    let carriage = newest.run.carriage_mm();
     Some(Point::new(start.z - carriage, start.r + newest.run.retreat_mm()))
 }

@@ -4,10 +4,13 @@
 //! bell, says what is expected and leaves the question open. Besides the published cone and parabola the shell of the
 //! document can be run.
 
+mod events;
 mod job;
+mod prompts;
 mod screen;
 mod sequence;
 
+pub use events::{Command, Event, Key};
 pub use job::Job;
 pub use screen::{Choice, Screen};
-pub use sequence::{Command, Event, Key, Sequence};
+pub use sequence::Sequence;

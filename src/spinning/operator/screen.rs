@@ -1,6 +1,6 @@
 //! What the operator sees.
 
-use super::sequence::Key;
+use super::events::Key;
 
 /// Something that the operator can do now.
 #[derive(Debug, Clone, PartialEq, Eq)]

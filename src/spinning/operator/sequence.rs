@@ -1,64 +1,13 @@
-//! The sequence itself.
+//! The sequence itself: what every key and event makes of it.
 
+use super::events::{Command, Event, Key};
 use super::job::Job;
-use super::screen::{Choice, Screen};
+use super::prompts::SET_UP;
 use crate::spinning::published::{ConeParameters, Field, ParabolaParameters, RollerStart};
-
-/// A key of the operator's keyboard.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Key {
-    /// The space bar.
-    Space,
-    /// Return.
-    Return,
-    /// Deletes one digit.
-    Delete,
-    /// A letter or digit.
-    Char(char),
-    /// Emergency stop.
-    Emergency,
-}
-
-/// Something that happens to the sequence.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Event {
-    /// A key was pressed.
-    Key(Key),
-    /// The datum switch is closed.
-    AtDatum,
-    /// The run has ended as planned.
-    Completed,
-    /// The run was stopped by the controller, with its reason.
-    Stopped(String),
-}
-
-/// What the sequence wants done.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Command {
-    /// Ring the bell: the key means nothing here.
-    Bell,
-    /// Start the oil pump.
-    StartPump,
-    /// Draw the roller back until the datum switch closes.
-    SeekDatum,
-    /// Run a job.
-    Run(Job),
-    /// Draw the roller back and switch everything off.
-    EmergencyStop,
-}
-
-/// Prompts of the machine's set-up, each confirmed with the space bar.
-const SET_UP: [&str; 5] = [
-    "Place the workpiece.",
-    "Start the oil pump.",
-    "Switch on the valve controller.",
-    "Switch on encoder and transducer.",
-    "Check that the roller is at its datum.",
-];
 
 /// Where the sequence is.
 #[derive(Debug, Clone, PartialEq, Eq)]
-enum State {
+pub(super) enum State {
     Welcome,
     SetUp(usize),
     WaitDatum,
@@ -76,22 +25,22 @@ enum State {
 
 /// What has been entered for the contour being described.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-struct Entered {
-    parabola: bool,
-    form_length: u32,
-    increment: u32,
-    angle: u32,
+pub(super) struct Entered {
+    pub parabola: bool,
+    pub form_length: u32,
+    pub increment: u32,
+    pub angle: u32,
 }
 
 /// The sequence.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Sequence {
-    state: State,
-    entered: Entered,
-    text: String,
-    wrong: Option<String>,
+    pub(super) state: State,
+    pub(super) entered: Entered,
+    pub(super) text: String,
+    pub(super) wrong: Option<String>,
     /// The shell of a document can be chosen.
-    has_design: bool,
+    pub(super) has_design: bool,
 }
 
 impl Sequence {
@@ -131,21 +80,31 @@ impl Sequence {
                 None
             }
             Event::Stopped(reason) => {
-                if let State::Running(job) = self.state {
-                    self.go(State::Stopped { job: Some(job), reason });
-                }
+                self.stopped(reason);
                 None
             }
         }
     }
 
     fn emergency(&mut self) -> Command {
-        let job = match self.state {
-            State::Running(job) | State::Ready(job) | State::Again(job) => Some(job),
-            _ => None,
-        };
-        self.go(State::Stopped { job, reason: "Emergency stop by the operator.".to_owned() });
+        self.go(State::Stopped { job: self.job(), reason: "Emergency stop by the operator.".to_owned() });
         Command::EmergencyStop
+    }
+
+    /// The job that runs, or is about to.
+    const fn job(&self) -> Option<Job> {
+        match self.state {
+            State::Running(job) | State::Ready(job) | State::Again(job) => Some(job),
+            State::Stopped { job, .. } => job,
+            _ => None,
+        }
+    }
+
+    /// The rig has stopped, or cannot be reached; before it is set up that means nothing.
+    fn stopped(&mut self, reason: String) {
+        if !matches!(self.state, State::Welcome | State::SetUp(_)) {
+            self.go(State::Stopped { job: self.job(), reason });
+        }
     }
 
     fn go(&mut self, state: State) {
@@ -314,94 +273,6 @@ impl Sequence {
     fn run(&mut self, job: Job) -> Command {
         self.go(State::Running(job));
         Command::Run(job)
-    }
-
-    /// What the operator sees now.
-    #[must_use]
-    pub fn screen(&self) -> Screen {
-        let (title, prompt, choices) = self.shown();
-        let typing = matches!(self.state, State::Number(_) | State::AdjustBy(_));
-        Screen {
-            title,
-            prompt,
-            notes: self.notes(),
-            field: typing.then(|| self.text.clone()),
-            wrong: self.wrong.clone(),
-            choices: choices.into_iter().map(|(label, key)| Choice { label, key }).collect(),
-        }
-    }
-
-    fn shown(&self) -> (&'static str, String, Vec<(&'static str, Key)>) {
-        let yes_no = || vec![("No", Key::Char('N')), ("Yes", Key::Char('Y'))];
-        match &self.state {
-            State::Welcome => (
-                "Flow-turning",
-                "The machine is set up first, then a shape is chosen.".to_owned(),
-                vec![("Begin", Key::Space)],
-            ),
-            State::SetUp(step) => (
-                "Machine set-up",
-                SET_UP.get(*step).copied().unwrap_or_default().to_owned(),
-                vec![("Done", Key::Space)],
-            ),
-            State::WaitDatum => ("Machine set-up", "The roller goes to its datum.".to_owned(), Vec::new()),
-            State::Shape => ("Shape", "Which contour is formed?".to_owned(), self.shapes()),
-            State::Number(field) | State::AdjustBy(field) => {
-                let range = field.range();
-                let prompt = format!("{}, {} to {}", field.name(), range.start(), range.end());
-                ("Parameters", prompt, vec![("Enter", Key::Return)])
-            }
-            State::Test => ("Parameters", "Roller in its test position?".to_owned(), yes_no()),
-            State::Adjust => ("Parameters", "Adjust the roller?".to_owned(), yes_no()),
-            State::AdjustWay(_) => (
-                "Parameters",
-                "Which way is the roller adjusted?".to_owned(),
-                vec![("F  away from the former", Key::Char('F')), ("R  towards the former", Key::Char('R'))],
-            ),
-            State::Ready(_) => (
-                "Ready",
-                "Stand clear. The roller will advance.".to_owned(),
-                vec![("Run", Key::Space), ("Another shape", Key::Char('N'))],
-            ),
-            State::Running(_) => ("Running", "The roller follows the contour.".to_owned(), Vec::new()),
-            State::Again(_) => {
-                let prompt = "Completed. Remove the component, disengage the carriage and bring it back by handwheel. \
-                              Another identical piece?";
-                ("Completed", prompt.to_owned(), vec![("Yes", Key::Char('Y')), ("No", Key::Char('N'))])
-            }
-            State::Stopped { reason, .. } => ("Stopped", reason.clone(), vec![("Set up again", Key::Space)]),
-        }
-    }
-
-    fn shapes(&self) -> Vec<(&'static str, Key)> {
-        let mut shapes = vec![("A  cone", Key::Char('A')), ("B  parabola", Key::Char('B'))];
-        if self.has_design {
-            shapes.insert(0, ("C  this shell", Key::Char('C')));
-        }
-        shapes
-    }
-
-    fn notes(&self) -> Vec<String> {
-        let Entered { parabola, form_length, increment, angle } = self.entered;
-        let describing = matches!(
-            self.state,
-            State::Number(_) | State::AdjustBy(_) | State::Test | State::Adjust | State::AdjustWay(_)
-        );
-        let mut notes = Vec::new();
-        if describing {
-            notes.push(if parabola { "Parabola y² = 4ax, a = 68.45".to_owned() } else { "Cone".to_owned() });
-            let known = [("form length", form_length, "mm"), ("increment", increment, "pulses"), ("angle", angle, "°")];
-            let known = known.iter().filter(|(_, value, _)| *value > 0);
-            notes.extend(known.map(|(name, value, unit)| format!("{name} {value} {unit}")));
-        }
-        if let State::Ready(job) | State::Running(job) | State::Again(job) = &self.state {
-            notes.push(job.name());
-        }
-        if let State::Stopped { job, .. } = &self.state {
-            notes.push("Lathe and pump are off.".to_owned());
-            notes.extend(job.map(|job| job.name()));
-        }
-        notes
     }
 }
 

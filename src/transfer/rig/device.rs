@@ -2,8 +2,9 @@
 //! as its caller wants.
 
 use super::frame::{Frame, LONGEST};
+use super::why::Why;
 use crate::spinning::control::{Controller, Phase, Plan, Target, Watch};
-use crate::spinning::rig::SimulatedRig;
+use crate::spinning::rig::{Rig, SimulatedRig, valve};
 
 /// Most set points that the device has room for.
 const MOST_POINTS: usize = 4096;
@@ -24,6 +25,10 @@ pub struct Device {
     rig: SimulatedRig,
     table: Option<Table>,
     run: Option<Controller>,
+    /// The roller is on its way to the datum, without a run.
+    seeks_datum: bool,
+    /// The run was stopped because nothing was heard.
+    was_deaf: bool,
     began_s: f64,
     heard_s: f64,
     line: Vec<u8>,
@@ -33,7 +38,16 @@ impl Device {
     /// A device that has just been switched on.
     #[must_use]
     pub const fn new(rig: SimulatedRig) -> Self {
-        Self { rig, table: None, run: None, began_s: 0.0, heard_s: 0.0, line: Vec::new() }
+        Self {
+            rig,
+            table: None,
+            run: None,
+            seeks_datum: false,
+            was_deaf: false,
+            began_s: 0.0,
+            heard_s: 0.0,
+            line: Vec::new(),
+        }
     }
 
     /// The rig, to look at or to break.
@@ -44,16 +58,31 @@ impl Device {
     /// Lets time pass.
     pub fn advance(&mut self, seconds: f64) {
         let until = self.rig.time_s() + seconds;
-        while self.rig.time_s() < until {
-            let Some(run) = &mut self.run else { return };
-            if run.phase().is_over() {
-                return;
-            }
-            if self.rig.time_s() - self.heard_s > SILENCE_S && !matches!(run.phase(), Phase::Stopping(_)) {
-                run.emergency_stop(&mut self.rig);
-            }
-            run.step(&mut self.rig);
+        while self.rig.time_s() < until && self.turn() {}
+    }
+
+    /// One turn of the loop; false if nothing moves.
+    fn turn(&mut self) -> bool {
+        let deaf = self.rig.time_s() - self.heard_s > SILENCE_S;
+        if self.seeks_datum {
+            self.draw_back(deaf);
+            return true;
         }
+        let Some(run) = self.run.as_mut().filter(|run| !run.phase().is_over()) else { return false };
+        if deaf && !matches!(run.phase(), Phase::Stopping(_)) {
+            self.was_deaf = true;
+            run.emergency_stop(&mut self.rig);
+        }
+        run.step(&mut self.rig);
+        true
+    }
+
+    /// Towards the datum, until the switch closes or nobody listens any more.
+    fn draw_back(&mut self, deaf: bool) {
+        let there = self.rig.read().at_datum || deaf;
+        self.rig.set_pump(true);
+        self.rig.set_valve(if there { valve::STOP } else { valve::RETRACT });
+        self.seeks_datum = !there;
     }
 
     /// Takes bytes from the line; returns what is answered.
@@ -81,14 +110,34 @@ impl Device {
             'B' => self.begin(&frame),
             'S' => self.set_point(&frame),
             'G' => self.go(),
-            'Q' => self.position(),
-            'X' => {
-                if let Some(run) = &mut self.run {
-                    run.emergency_stop(&mut self.rig);
-                }
+            'Z' if self.is_running() => Frame::word('E', "order"),
+            'Z' => {
+                self.seeks_datum = true;
                 Frame::of('K', &[0])
             }
+            'Q' => self.position(),
+            'Y' => self.why().frame(),
+            'X' => self.emergency(),
             _ => Frame::word('E', "line"),
+        }
+    }
+
+    fn emergency(&mut self) -> Frame {
+        if self.is_running() {
+            self.run.iter_mut().for_each(|run| run.emergency_stop(&mut self.rig));
+        } else {
+            self.seeks_datum = false;
+            self.rig.set_valve(valve::STOP);
+            self.rig.set_pump(false);
+        }
+        Frame::of('K', &[0])
+    }
+
+    fn why(&self) -> Why {
+        match self.run.as_ref().map(Controller::phase) {
+            Some(Phase::Stopping(_) | Phase::Stopped { .. }) if self.was_deaf => Why::word("silence"),
+            Some(Phase::Stopping(reason) | Phase::Stopped { reason, .. }) => Why::of(reason),
+            _ => Why::word("none"),
         }
     }
 
@@ -144,12 +193,12 @@ impl Device {
         let (Some(table), false) = (complete, self.is_running()) else { return Frame::word('E', "table") };
         self.began_s = self.rig.time_s();
         self.rig.bring_back();
+        (self.seeks_datum, self.was_deaf) = (false, false);
         self.run = Some(Controller::new(table.plan.clone()));
         Frame::of('K', &[i64::try_from(table.expected).unwrap_or_default()])
     }
 
     fn position(&mut self) -> Frame {
-        use crate::spinning::rig::Rig;
         let reading = self.rig.read();
         #[allow(clippy::cast_possible_truncation, reason = "milliseconds of a run")]
         let ms = ((reading.time_s - self.began_s) * 1000.0) as i64;
@@ -159,6 +208,9 @@ impl Device {
     }
 
     fn state(&self) -> &'static str {
+        if self.seeks_datum {
+            return "T";
+        }
         match self.run.as_ref().map(Controller::phase) {
             None => "I",
             Some(Phase::ToDatum) => "T",

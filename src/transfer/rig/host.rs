@@ -1,10 +1,13 @@
 //! The host's side: sends a plan over a link, starts it, asks for positions, stops it.
 
 use super::frame::{Frame, LONGEST};
+use super::why::Why;
 use crate::spinning::control::Plan;
 use crate::transfer::link::{LARGEST_WRITE, Link};
 use std::fmt;
 use std::io;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 /// Time for an answer.
@@ -25,6 +28,8 @@ pub enum HostError {
     Refused(String),
     /// The device is another one, or of another version.
     Stranger(String),
+    /// Emergency stop was asked for: nothing else is waited for.
+    Interrupted,
 }
 
 impl fmt::Display for HostError {
@@ -40,6 +45,7 @@ impl fmt::Display for HostError {
                 )
             }
             Self::Refused(code) => write!(f, "The rig refused a line with the code \"{code}\"."),
+            Self::Interrupted => write!(f, "Emergency stop by the operator."),
             Self::Stranger(name) => write!(f, "The device calls itself \"{name}\"; a turnwright-rig 1 is needed."),
         }
     }
@@ -73,6 +79,8 @@ impl Position {
 pub struct Host<L> {
     link: L,
     heard: Vec<u8>,
+    /// Set from elsewhere: whatever is under way is given up for an emergency stop.
+    hurry: Arc<AtomicBool>,
 }
 
 impl<L: Link> Host<L> {
@@ -81,8 +89,17 @@ impl<L: Link> Host<L> {
     /// # Errors
     /// It gives no answer, or is another one.
     pub fn connect(link: L) -> Result<Self, HostError> {
-        let mut host = Self { link, heard: Vec::new() };
-        let answer = host.ask(&Frame::of('H', &[]))?;
+        Self::connect_until(link, Arc::default())
+    }
+
+    /// As [`Self::connect`]; when `hurry` is set, every call but [`Self::emergency_stop`] returns
+    /// [`HostError::Interrupted`] at once.
+    ///
+    /// # Errors
+    /// As [`Self::connect`], and where it was interrupted.
+    pub fn connect_until(link: L, hurry: Arc<AtomicBool>) -> Result<Self, HostError> {
+        let mut host = Self { link, heard: Vec::new(), hurry };
+        let answer = host.ask(&Frame::of('H', &[]), |_| true)?;
         if answer.letter == 'H' && answer.words == ["turnwright-rig", "1"] {
             Ok(host)
         } else {
@@ -119,12 +136,30 @@ impl<L: Link> Host<L> {
         self.told(&Frame::of('G', &[]))
     }
 
-    /// Stops at once.
+    /// Draws the roller back to its datum, without a run.
+    ///
+    /// # Errors
+    /// The line fails or the device refuses.
+    pub fn seek_datum(&mut self) -> Result<(), HostError> {
+        self.told(&Frame::of('Z', &[]))
+    }
+
+    /// Stops at once, and takes what interrupted the calls before as heard.
     ///
     /// # Errors
     /// The line fails; the device stops by itself when it hears nothing.
     pub fn emergency_stop(&mut self) -> Result<(), HostError> {
+        self.hurry.store(false, Ordering::SeqCst);
         self.told(&Frame::of('X', &[]))
+    }
+
+    /// Asks why the last run stopped.
+    ///
+    /// # Errors
+    /// The line fails or the answer is none.
+    pub fn why(&mut self) -> Result<Why, HostError> {
+        let answer = self.ask(&Frame::of('Y', &[]), |letter| letter == 'Y')?;
+        Why::read(&answer).ok_or_else(|| HostError::Refused(answer.words.join(" ")))
     }
 
     /// Asks for the position.
@@ -132,7 +167,7 @@ impl<L: Link> Host<L> {
     /// # Errors
     /// The line fails or the answer is none.
     pub fn position(&mut self) -> Result<Position, HostError> {
-        let answer = self.ask(&Frame::of('Q', &[]))?;
+        let answer = self.ask(&Frame::of('Q', &[]), |letter| letter == 'P')?;
         let wrong = || HostError::Refused(format!("{} {}", answer.letter, answer.words.join(" ")));
         let [ms, pulses, steps, state] = answer.words.as_slice() else { return Err(wrong()) };
         let parsed = ms.parse().ok().zip(pulses.parse().ok()).zip(steps.parse().ok()).zip(state.chars().next());
@@ -143,19 +178,23 @@ impl<L: Link> Host<L> {
     }
 
     fn told(&mut self, frame: &Frame) -> Result<(), HostError> {
-        let answer = self.ask(frame)?;
+        let answer = self.ask(frame, |letter| letter == 'K')?;
         if answer.letter == 'K' { Ok(()) } else { Err(HostError::Refused(answer.words.join(" "))) }
     }
 
-    /// Sends a line and waits for its answer; a damaged line or answer is sent again.
-    fn ask(&mut self, frame: &Frame) -> Result<Frame, HostError> {
+    /// Sends a line and waits for its answer; a damaged line or answer is sent again. Answers to what was asked before, and
+    /// not waited for, are passed over.
+    fn ask(&mut self, frame: &Frame, is_answer: impl Fn(char) -> bool) -> Result<Frame, HostError> {
         let text = frame.to_string();
         for _ in 0..TRIES {
             self.write(text.as_bytes())?;
-            match self.answer()? {
-                Some(answer) if answer.letter == 'E' && answer.words == ["sum"] => {}
-                Some(answer) => return Ok(answer),
-                None => {}
+            while let Some(answer) = self.answer()? {
+                match answer.letter {
+                    'E' if answer.words == ["sum"] => break,
+                    'E' => return Ok(answer),
+                    letter if is_answer(letter) => return Ok(answer),
+                    _ => {}
+                }
             }
         }
         Err(HostError::Silent)
@@ -184,6 +223,9 @@ impl<L: Link> Host<L> {
                 let line = String::from_utf8_lossy(&line).into_owned();
                 return Ok(Frame::read(line.trim_end_matches('\n')).ok());
             }
+            if self.hurry.load(Ordering::SeqCst) {
+                return Err(HostError::Interrupted);
+            }
             let count = self.link.read_some(&mut buffer, LOOK).map_err(HostError::Line)?;
             self.heard.extend(buffer.iter().take(count));
             if self.heard.len() > 2 * LONGEST || Instant::now() > until {
@@ -196,4 +238,4 @@ impl<L: Link> Host<L> {
 
 #[cfg(test)]
 #[path = "tests.rs"]
-mod tests;
+pub(super) mod tests;

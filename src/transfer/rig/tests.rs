@@ -1,5 +1,6 @@
 use super::super::Device;
 use super::*;
+use crate::cancel::Cancel;
 use crate::spinning::control::Watch;
 use crate::spinning::published::{Arithmetic, ConeParameters, cone_points};
 use crate::spinning::rig::{Fault, RigModel, SimulatedRig};
@@ -8,13 +9,24 @@ use std::thread::JoinHandle;
 
 /// A device on a thread; every look at the line takes `pace` seconds of its time. With `damage` every so many bytes one is
 /// changed on its way to the device.
-fn device(faults: Vec<Fault>, pace: f64, damage: Option<usize>) -> (PipeEnd, JoinHandle<Device>) {
+pub(in super::super) fn device(faults: Vec<Fault>, pace: f64, damage: Option<usize>) -> (PipeEnd, JoinHandle<Device>) {
+    device_until(faults, pace, damage, Cancel::default())
+}
+
+/// The same, until it is unplugged.
+pub(in super::super) fn device_until(
+    faults: Vec<Fault>,
+    pace: f64,
+    damage: Option<usize>,
+    unplugged: Cancel,
+) -> (PipeEnd, JoinHandle<Device>) {
     let (host, mut line) = pipe();
     let thread = std::thread::spawn(move || {
         let mut device = Device::new(SimulatedRig::new(RigModel::new(95.0, 1.27), faults));
         let mut buffer = [0; 64];
         let mut count = 0;
-        while let Ok(read) = line.read_some(&mut buffer, Duration::from_millis(1)) {
+        while let (false, Ok(read)) = (unplugged.is_cancelled(), line.read_some(&mut buffer, Duration::from_millis(1)))
+        {
             for byte in buffer.iter_mut().take(read) {
                 count += 1;
                 if damage.is_some_and(|every| count % every == 0) && *byte != b'\n' {
@@ -33,7 +45,7 @@ fn device(faults: Vec<Fault>, pace: f64, damage: Option<usize>) -> (PipeEnd, Joi
     (host, thread)
 }
 
-fn plan() -> Plan {
+pub(in super::super) fn plan() -> Plan {
     let cone = ConeParameters::new(40, 16, 30).unwrap();
     Plan::published(&cone_points(&cone, Arithmetic::Exact), cone.roller_position())
         .watched(Watch { limit_mm: 2.5, carriage_mm_per_s: RigModel::new(95.0, 1.27).carriage_mm_per_s() })
