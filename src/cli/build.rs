@@ -100,13 +100,18 @@ fn write_all(folder: &Path, files: &[OutputFile]) -> Result<(), Vec<Diagnostic>>
     Ok(())
 }
 
-/// Writes the drawing of every roll of a set and its parts list as PDF. Other documents have their papers by `draw` and `sheet`.
+/// Writes the drawing of every roll of a set and its parts list, and drawing and setup sheet of a shell, as PDF. Turned parts
+/// have their papers by `draw` and `sheet`.
 fn write_papers(folder: &Path, derived: &Derived, catalog: &Catalog) -> Result<(), Vec<Diagnostic>> {
-    let Some(set) = &derived.rolls else { return Ok(()) };
     let save = |name: &str, kind: PaperKind, of: &Derived| -> Result<(), Vec<Diagnostic>> {
         let written = kind.pages(of, catalog).and_then(|pages| papers::save(&folder.join(name), &pages));
         written.map(|_| ()).map_err(|d| vec![d])
     };
+    if let Some(made) = &derived.shell {
+        save(&format!("{}.drawing.pdf", made.name), PaperKind::Drawing(DrawingChoice::default()), derived)?;
+        save(&format!("{}.sheet.pdf", made.name), PaperKind::SetupSheet, derived)?;
+    }
+    let Some(set) = &derived.rolls else { return Ok(()) };
     for roll in &set.rolls {
         save(&format!("{}.pdf", roll.name), PaperKind::Drawing(DrawingChoice::default()), &roll.derived)?;
     }

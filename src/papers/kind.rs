@@ -4,6 +4,7 @@ use super::drawing::{DrawingChoice, drawing};
 use super::page::Page;
 use super::parts_list::parts_list;
 use super::setup_sheet::setup_sheet;
+use super::shell;
 use super::strip::{section_drawing, templates};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::machine::Catalog;
@@ -12,9 +13,9 @@ use crate::regen::Derived;
 /// Which papers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PaperKind {
-    /// The dimensioned drawing of the finished part.
+    /// The dimensioned drawing of the finished part or shell.
     Drawing(DrawingChoice),
-    /// The setup sheet of every clamping.
+    /// The setup sheet of every clamping, or of a shell.
     SetupSheet,
     /// The finished cross-section of a set of form-rolls, with the table of its elements.
     Section(DrawingChoice),
@@ -56,6 +57,8 @@ impl PaperKind {
                 let pages = set.rolls.iter().map(|roll| self.pages(&roll.derived, catalog));
                 Ok(pages.collect::<Result<Vec<_>, _>>()?.concat())
             }
+            (Self::Drawing(choice), None) if shell::is_shell(derived) => shell::drawing(derived, choice),
+            (Self::SetupSheet, None) if shell::is_shell(derived) => shell::sheet(derived),
             (Self::Drawing(choice), None) => drawing(derived, choice),
             (Self::SetupSheet, None) if derived.setups.is_empty() => {
                 let message = "There is no clamping that a setup sheet could describe.";

@@ -1,4 +1,4 @@
-//! Papers: the dimensioned drawing of a finished part and the setup sheet of a clamping, as pages and as files.
+//! Papers: the dimensioned drawing of a finished part or shell and the setup sheet of a clamping, as pages and as files.
 //!
 //! A page is a list of lines, arcs and texts in mm on paper; writers turn the same page into PDF, SVG, DXF and HP-GL. No page
 //! knows the date, so that the same document always prints the same paper.
@@ -20,6 +20,7 @@ mod page;
 mod parts_list;
 mod pdf;
 mod setup_sheet;
+mod shell;
 mod strip;
 mod svg;
 mod tool_picture;

@@ -10,10 +10,14 @@ use crate::papers::page::{Align, Ink};
 
 /// Name of the clamping and what the proof says about its programs.
 pub(super) fn head(subject: &Subject<'_>, to: &mut Writer) {
+    title(&subject.item.name, subject.item.proof.passed, to);
+}
+
+/// A name and what the proof says.
+pub(in crate::papers) fn title(name: &str, passed: bool, to: &mut Writer) {
     to.r -= 6.0;
-    to.page.heading(Point::new(LEFT_MM, to.r), 5.0, fitted(&subject.item.name, 5.0, 110.0));
-    let (ink, verdict) =
-        if subject.item.proof.passed { (Ink::Green, "Proved") } else { (Ink::Red, "NOT PROVED: do not run") };
+    to.page.heading(Point::new(LEFT_MM, to.r), 5.0, fitted(name, 5.0, 110.0));
+    let (ink, verdict) = if passed { (Ink::Green, "Proved") } else { (Ink::Red, "NOT PROVED: do not run") };
     to.page.ink_text(Point::new(RIGHT_MM, to.r), 3.5, Align::End, ink, verdict);
     to.r -= 3.0;
     to.rule();

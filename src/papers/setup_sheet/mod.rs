@@ -2,7 +2,7 @@
 
 mod facts;
 mod picture;
-mod tables;
+pub(super) mod tables;
 mod tools;
 pub(super) mod writer;
 
@@ -12,6 +12,7 @@ use crate::document::TurnedPart;
 use crate::machine::{Catalog, Machine};
 use crate::regen::{Derived, SetupDerived};
 use crate::units::Unit;
+pub(super) use facts::title;
 use writer::Writer;
 
 /// The pages of one clamping's setup sheet, A4 upright: part, stock, holding, program zero with a picture of the set-up to scale,
@@ -49,7 +50,7 @@ impl Subject<'_> {
 }
 
 /// A time as minutes and seconds.
-fn minutes(seconds: f64) -> String {
+pub(super) fn minutes(seconds: f64) -> String {
     let whole = seconds.max(0.0).round();
     format!("{:.0}:{:02.0} min", (whole / 60.0).floor(), whole % 60.0)
 }

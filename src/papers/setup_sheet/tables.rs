@@ -4,7 +4,7 @@ use super::writer::{Cell, LEFT_MM, LINE_MM, RIGHT_MM, Writer, cell, figure, grey
 use super::{Subject, minutes};
 use crate::diagnostic::Severity;
 use crate::papers::page::Ink;
-use crate::proof::Motion;
+use crate::proof::{Finding, Motion};
 use crate::regen::Operations;
 use crate::turning::Operation;
 use crate::turning::figures::Figures;
@@ -64,12 +64,16 @@ pub(super) fn programs(subject: &Subject<'_>, to: &mut Writer) {
 
 /// The errors and warnings of the proof.
 pub(super) fn findings(subject: &Subject<'_>, to: &mut Writer) {
-    let told: Vec<_> = subject.item.proof.findings.iter().filter(|f| f.severity != Severity::Info).collect();
+    found(&subject.item.proof.findings, subject.item.programs.len() > 1, to);
+}
+
+/// Findings by block, and by program where there are `several`.
+pub(in crate::papers) fn found(findings: &[Finding], several: bool, to: &mut Writer) {
+    let told: Vec<_> = findings.iter().filter(|f| f.severity != Severity::Info).collect();
     if told.is_empty() {
         return;
     }
     to.heading("What the proof found", 2.0 * LINE_MM);
-    let several = subject.item.programs.len() > 1;
     for finding in told.iter().take(MOST_FINDINGS) {
         let ink = if finding.severity == Severity::Error { Ink::Red } else { Ink::Black };
         let mut place = format!("block {}", finding.block);
