@@ -90,6 +90,9 @@ pub struct ThreadRecipe {
     pub spring_passes: u8,
     /// Angle of the infeed from the radial direction, degrees: 0, or up to half the thread's angle along a flank.
     pub flank_deg: f64,
+    /// Length beyond `to_z` on which the tool leaves the work while the slide is still coupled, mm; 0 for a groove behind
+    /// the thread.
+    pub run_out: f64,
     /// Spindle speed, rev/min.
     pub rpm: f64,
 }

@@ -4,7 +4,9 @@
 //! put into LinuxCNC's words first.
 
 use crate::words_scan::listing::path_of_listing;
-use crate::words_scan::paths::{Wanted, all_sorts, compare, finish_with_recipe, thread_with_recipe, wanted};
+use crate::words_scan::paths::{
+    Wanted, all_sorts, compare, finish_with_recipe, thread_running_out, thread_with_recipe, wanted,
+};
 use crate::words_scan::read::{Step, read};
 use std::fmt::Write as _;
 use std::process::Command;
@@ -327,6 +329,32 @@ fn the_thread_that_linuxcnc_cuts_by_itself_is_the_thread_of_the_path() {
         assert!((deepest - root).abs() < TOLERANCE && (lead - 2.0).abs() < TOLERANCE, "{text}\n{passes:?}");
         let first = (passes[0].0 - crest).abs();
         assert!((first - 0.3).abs() < TOLERANCE, "the first cut takes {first} mm\n{text}\n{passes:?}");
+    }
+}
+
+#[test]
+fn a_thread_that_linuxcnc_cuts_by_itself_runs_out_as_it_was_asked() {
+    if !is_installed() {
+        return;
+    }
+    for (crest, root, drive) in [(20.0, 18.773, 22.0), (17.294, 18.6, 15.0)] {
+        let path = thread_running_out(crest, root, drive, 1.5);
+        let options = Options { canned_cycles: true, ..Options::default() };
+        let output = post("JUDGED", &path, &options, &Header::default(), &machine("linuxcnc"));
+        let text = &output.programs[0].text;
+        assert!(text.contains("Z-31.5000") && text.contains("E1.5000 L2"), "{text}");
+        let steps = judge(text).unwrap_or_else(|e| panic!("{e}\n{text}"));
+        let passes: Vec<Point> = steps
+            .iter()
+            .filter_map(|s| match s {
+                Step::Thread { to, .. } => Some(*to),
+                _ => None,
+            })
+            .collect();
+        // Every pass ends at depth where the run-out begins, and goes out of the work on it.
+        let [.., along, out] = passes.as_slice() else { panic!("{text}\n{passes:?}") };
+        assert!((along.z + 30.0).abs() < TOLERANCE && (along.r - root).abs() < TOLERANCE, "{text}\n{passes:?}");
+        assert!((out.z + 31.5).abs() < TOLERANCE && (out.r - crest).abs() < TOLERANCE, "{text}\n{passes:?}");
     }
 }
 

@@ -1,7 +1,8 @@
 //! Programs of every word-address control, read again by a scanner of their own, make the moves of the path.
 
 use crate::words_scan::paths::{
-    CUT, all_sorts, compare, finish_with_recipe, operation, rough_and_finish_with_recipes, thread_with_recipe, wanted,
+    CUT, all_sorts, compare, finish_with_recipe, operation, rough_and_finish_with_recipes, thread_running_out,
+    thread_with_recipe, wanted,
 };
 use crate::words_scan::read::read;
 use crate::words_scan::scan;
@@ -70,7 +71,9 @@ fn heads_say_what_the_operator_needs() {
     for machine in machines().iter().filter(|m| m.words.as_ref().unwrap().comments == Comments::Parentheses) {
         let output = post("TEST", &all_sorts(), &Options::default(), &header, machine);
         let head: String = output.programs[0].text.lines().take(14).collect::<Vec<_>>().join("\n");
-        for part in ["(PART NUT <LEFT>)", "(MATERIAL STEEL)", "(STOCK BAR D60 X 100 MM)", "(TOOL 1 ROUGHING TOOL 80)"] {
+        for part in
+            ["(PART NUT <LEFT>)", "(MATERIAL STEEL)", "(STOCK BAR D60 X 100 MM)", "(TOOL 1 ROUGHING TOOL 80 DEG)"]
+        {
             assert!(head.contains(part), "{head}");
         }
         assert!(head.contains("(TIME "), "{head}");
@@ -230,6 +233,30 @@ fn a_fanuc_cuts_a_thread_by_g76() {
     assert!(text.contains("G76 P020000 Q50 R0.020\n"), "{text}");
     assert!(text.contains("G76 X37.546 Z-30.000 P1227 Q300 F2.000\n"), "{text}");
     assert!(!text.contains("G32"), "{text}");
+    // A run-out of 1 mm is five tenths of the lead, and the thread's end lies behind it.
+    let text = lines_of(&thread_running_out(20.0, 18.773, 22.0, 1.0), &options, &fanuc());
+    assert!(text.contains("G76 P020500 Q50 R0.020\n"), "{text}");
+    assert!(text.contains("G76 X37.546 Z-31.000 P1227 Q300 F2.000\n"), "{text}");
+}
+
+#[test]
+fn every_stage_sets_its_clamp_and_its_feed_again() {
+    let first = finish_with_recipe();
+    let mut path = first.clone();
+    path.operations.extend(first.operations.iter().map(|o| o.clone()));
+    path.operations[1].tool = 7;
+    for machine in machines().iter().filter(|m| m.words.as_ref().is_some_and(|w| w.surface_speed)) {
+        let text = lines_of(&path, &Options::default(), machine);
+        let stages: Vec<&str> = text.split("T07").collect();
+        let speed = |stage: &str| ["G50S", "G50 S", "G92 S", "G96 D"].iter().any(|word| stage.contains(word));
+        if machine.words.as_ref().is_some_and(|w| w.clamp_where_reached) {
+            continue;
+        }
+        let clamps = ["G50 S", "G92 S", "G96 D"].iter().map(|word| text.matches(word).count()).max();
+        assert_eq!(clamps, Some(2), "{}\n{text}", machine.id);
+        assert!(speed(stages[0]));
+        assert_eq!(text.matches(" F0.2").count(), 2, "the first cut of each stage has its feed\n{text}");
+    }
 }
 
 #[test]

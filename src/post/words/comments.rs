@@ -48,8 +48,13 @@ fn time_text<'p>(control: &Control<'_>, path: &CutterPath, operations: impl Iter
 /// `text` as comments, on as many lines as it needs.
 fn comments(control: &Control<'_>, text: &str) -> Vec<String> {
     let width = control.words.max_line_chars.unwrap_or(USUAL_WIDTH).min(USUAL_WIDTH).saturating_sub(2).max(1);
-    let plain: Vec<char> = text.trim().chars().map(readable).collect();
+    let plain = plain(text);
     plain.chunks(width).map(|part| format!("({})", part.iter().collect::<String>().trim())).collect()
+}
+
+/// The text as every control reads it: a sign of degrees becomes a word.
+fn plain(text: &str) -> Vec<char> {
+    text.trim().replace('°', " DEG").chars().map(readable).collect()
 }
 
 /// The character as every control reads it: capital letters of ISO 646, no parentheses within a comment.
@@ -65,7 +70,6 @@ fn readable(c: char) -> char {
         'é' | 'è' | 'ê' => 'E',
         '⌀' => 'D',
         '×' => 'X',
-        '°' => ' ',
         _ => '_',
     }
 }
@@ -88,7 +92,8 @@ mod tests {
 
     #[test]
     fn comments_hold_what_every_control_reads() {
-        let text: String = "Ø20 (steel) ⌀; 35°".chars().map(readable).collect();
-        assert_eq!(text, "O20 <STEEL> D- 35 ");
+        let text = |text: &str| plain(text).into_iter().collect::<String>();
+        assert_eq!(text("Ø20 (steel) ⌀; 35° insert"), "O20 <STEEL> D- 35 DEG INSERT");
+        assert_eq!(text(" 0.5° "), "0.5 DEG");
     }
 }

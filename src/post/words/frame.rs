@@ -24,9 +24,15 @@ impl Writer<'_> {
         self.retract();
     }
 
-    /// The whole of an operation between its change position and the way back to it.
+    /// The whole of an operation between its change position and the way back to it. It sets its own clamp and feed, so that
+    /// the operator can begin again with any of them; in the published form, which writes a clamp only where it is reached,
+    /// a feed that stays is not written again.
     pub(super) fn operation(&mut self, index: usize, operation: &Operation, path: &CutterPath) {
         self.operation = Some(index);
+        self.state.clamp = None;
+        if !self.control.words.clamp_where_reached {
+            self.state.feed = None;
+        }
         let change = operation.change.unwrap_or(path.datum);
         let speeds = Speeds::of(operation, self, change);
         self.title(index, operation);

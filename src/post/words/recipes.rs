@@ -141,14 +141,14 @@ impl Writer<'_> {
         if self.control.is_linuxcnc() {
             self.linuxcnc_thread(recipe, start);
         } else {
-            self.fanuc_thread(recipe);
+            self.fanuc_thread(recipe, start);
         }
         self.state.feed = None;
         self.cycle_done(start);
     }
 
     /// Two blocks: passes at full depth, run-out, tip angle, least cut and finishing cut; then the thread. Depths are counts.
-    fn fanuc_thread(&mut self, recipe: &ThreadRecipe) {
+    fn fanuc_thread(&mut self, recipe: &ThreadRecipe, start: Point) {
         let control = self.control;
         let counts = |mm: f64| control.grid.format.counts(control.in_unit(mm));
         let tip = 2.0 * recipe.flank_deg;
@@ -156,10 +156,11 @@ impl Writer<'_> {
         let angle = FANUC_TIP_DEG.into_iter().min_by(|a, b| off(*a).total_cmp(&off(*b))).unwrap_or(0);
         let passes = u32::from(recipe.spring_passes) + 1;
         let mut line = self.line();
-        line.whole('G', 76).word(&format!("P{passes:02}00{angle:02}"));
+        let run_out = tenths_of_lead(recipe);
+        line.whole('G', 76).word(&format!("P{passes:02}{run_out:02}{angle:02}"));
         line.word(&format!("Q{}", counts(recipe.least_depth))).length('R', counts(recipe.finish_depth));
         self.push(line);
-        let end = control.grid.counts(Point::new(recipe.to_z, recipe.root_radius));
+        let end = control.grid.counts(Point::new(end_z(recipe, start), recipe.root_radius));
         let height = counts((recipe.crest_radius - recipe.root_radius).abs());
         let mut line = self.line();
         line.whole('G', 76).length('X', end.x).length('Z', end.z);
@@ -172,7 +173,7 @@ impl Writer<'_> {
     fn linuxcnc_thread(&mut self, recipe: &ThreadRecipe, start: Point) {
         let control = self.control;
         let counts = |mm: f64| control.grid.format.counts(control.in_unit(mm));
-        let end = control.grid.counts(Point::new(recipe.to_z, recipe.root_radius));
+        let end = control.grid.counts(Point::new(end_z(recipe, start), recipe.root_radius));
         // With G7 the control takes I, J and K as diameters, like X.
         let across = control.words.x_at(1.0).abs();
         let mut line = self.line();
@@ -181,6 +182,9 @@ impl Writer<'_> {
         line.length('J', counts(recipe.first_depth * across));
         line.length('K', counts((recipe.crest_radius - recipe.root_radius).abs() * across));
         line.word("R2.0").word(&format!("Q{:.1}", recipe.flank_deg)).word(&format!("H{}", recipe.spring_passes));
+        if recipe.run_out > 0.0 {
+            line.length('E', counts(recipe.run_out)).word("L2");
+        }
         self.push(line);
     }
 
@@ -190,6 +194,20 @@ impl Writer<'_> {
         self.state.feed = None;
         self.arrived(start, self.control.grid.counts(start));
     }
+}
+
+/// Where the tool is clear again behind the thread, mm.
+fn end_z(recipe: &ThreadRecipe, start: Point) -> f64 {
+    recipe.to_z + recipe.run_out * (recipe.to_z - start.z).signum()
+}
+
+/// The run-out as G76 of a Fanuc has it in the middle digits of its P: tenths of the lead, 99 at most. On that length, and
+/// not further in than the thread ends, the tool goes out at 45°.
+fn tenths_of_lead(recipe: &ThreadRecipe) -> u32 {
+    const MOST: u32 = 99;
+    // Rounded down: a longer one would begin within the thread.
+    let tenths = (10.0 * recipe.run_out / recipe.lead + 1e-6).floor();
+    super::control::rounded(tenths.max(0.0)).min(MOST)
 }
 
 /// Where a move ends, if it goes anywhere by itself.

@@ -88,6 +88,8 @@ pub(super) struct CycleSettings {
     pub repeats: u32,
     /// G76: repetitions of the last cut.
     pub finishes: u32,
+    /// G76: length of the run-out, leads.
+    pub run_out_leads: f64,
     /// G76: angle between the flanks, degrees.
     pub angle: f64,
     /// G76: thinnest cut.

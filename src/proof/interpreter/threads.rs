@@ -32,6 +32,8 @@ struct ThreadCuts {
     flank: f64,
     /// Advance for one turn.
     lead: f64,
+    /// Before the end, the length on which the tool goes out and how far it goes out.
+    run_out: (f64, f64),
 }
 
 impl Run<'_, '_> {
@@ -139,13 +141,16 @@ impl Run<'_, '_> {
         depths.extend(std::iter::repeat_n(height, settings.finishes.clamp(1, 99) as usize));
         let side = if to.r <= from.r { 1.0 } else { -1.0 };
         let flank = (settings.angle / 2.0).to_radians();
-        self.cut_thread(&ThreadCuts { from, to, taper, height, side, depths, flank, lead })
+        // The control goes out at 45°, as far as the place where the cycle began.
+        let run_out = if one_line { 0.0 } else { settings.run_out_leads * lead };
+        self.cut_thread(&ThreadCuts { from, to, taper, height, side, depths, flank, lead, run_out: (run_out, run_out) })
     }
 
     /// The first line of the two-line form: `G76 P(mmrraa) Q(thinnest) R(last depth)`.
     fn thread_cycle_settings(&mut self, words: &mut Taken<'_>) {
         if let Some(p) = words.take('P').and_then(|p| p.whole()) {
             self.state.cycle.finishes = p / 10_000;
+            self.state.cycle.run_out_leads = f64::from(p / 100 % 100) / 10.0;
             self.state.cycle.angle = f64::from(p % 100);
         }
         self.state.cycle.thinnest = words.take('Q').map_or(0.0, |q| self.increments(q).abs());
@@ -163,14 +168,13 @@ impl Run<'_, '_> {
         let degression = words.take('R').map_or(1.0, |r| r.plain());
         let flank = words.take('Q').map_or(0.0, |q| q.plain()).to_radians();
         let springs = words.take('H').and_then(|h| h.whole()).unwrap_or(0).min(99);
-        if words.take('E').is_some_and(|e| e.plain() != 0.0) || words.take('L').is_some_and(|l| l.plain() != 0.0) {
-            self.control_error(
-                "thread taper",
-                1.0,
-                0.0,
-                "The tapered ends of G76 (E and L) are not computed here.".to_owned(),
-            );
+        let run_out = words.take('E').map_or(0.0, |e| self.mm(e).abs());
+        let ends = words.take('L').and_then(|l| l.whole()).unwrap_or(0);
+        if run_out > 0.0 && !matches!(ends, 0 | 2) {
+            let message = format!("G76 with L{ends} tapers the thread where it begins; that is not computed here.");
+            self.control_error("thread taper", f64::from(ends), 2.0, message);
         }
+        let run_out = if ends == 2 { run_out } else { 0.0 };
         let lead = self.lead('P', words);
         if first <= 0.0 || height < first || degression < 1.0 {
             let message = format!(
@@ -189,7 +193,9 @@ impl Run<'_, '_> {
         let side = if crest <= 0.0 { 1.0 } else { -1.0 };
         let root = from.r + crest - side * height;
         let to = Point::new(to.z, root);
-        self.cut_thread(&ThreadCuts { from, to, taper: 0.0, height, side, depths, flank, lead })
+        // Over that length every pass goes out by the whole height.
+        let run_out = (run_out, height);
+        self.cut_thread(&ThreadCuts { from, to, taper: 0.0, height, side, depths, flank, lead, run_out })
     }
 
     /// A whole number that counts least increments, such as a Q or P of a cycle.
@@ -197,8 +203,20 @@ impl Run<'_, '_> {
         self.mm(number)
     }
 
+    /// From `near` along the thread at the radius `r`, and out of it on the last length.
+    fn pass_with_run_out(&mut self, cuts: &ThreadCuts, near: Point, r: f64) -> Result<(), Cancelled> {
+        let ThreadCuts { from, to, side, lead, run_out: (length, rise), .. } = *cuts;
+        if length <= 0.0 {
+            return self.thread_pass(near, Point::new(to.z, r), lead, 0.0);
+        }
+        let begins = to.z - (to.z - from.z).signum() * length.min((to.z - near.z).abs());
+        let out = r + side * rise.min((from.r - r).abs());
+        self.thread_pass(near, Point::new(begins, r), lead, 0.0)?;
+        self.thread_pass(Point::new(begins, r), Point::new(to.z, out), lead, 0.0)
+    }
+
     fn cut_thread(&mut self, cuts: &ThreadCuts) -> Result<(), Cancelled> {
-        let ThreadCuts { from, to, taper, height, side, flank, lead, .. } = *cuts;
+        let ThreadCuts { from, to, taper, height, side, flank, .. } = *cuts;
         let towards = (to.z - from.z).signum();
         for &depth in &cuts.depths {
             let above = side * (height - depth);
@@ -206,7 +224,7 @@ impl Run<'_, '_> {
             let near = Point::new(from.z - back, to.r + taper + above);
             self.rapid_to(Point::new(near.z, from.r))?;
             self.rapid_to(near)?;
-            self.thread_pass(near, Point::new(to.z, to.r + above), lead, 0.0)?;
+            self.pass_with_run_out(cuts, near, to.r + above)?;
             self.rapid_to(Point::new(to.z, from.r))?;
             self.rapid_to(from)?;
         }

@@ -240,11 +240,23 @@ pub(crate) fn thread_with_recipe(crest: f64, root: f64, drive: f64) -> CutterPat
         finish_depth: 0.02,
         spring_passes: 1,
         flank_deg: 0.0,
+        run_out: 0.0,
         rpm: 400.0,
     };
     let mut operation = operation(OperationKind::Thread, 7, change, moves);
     operation.recipes = vec![Recipe { moves: 1..9, kind: RecipeKind::Thread(thread) }];
     CutterPath { datum: change, program_zero_z: 60.0, operations: vec![operation] }
+}
+
+/// The same thread with a run-out behind it, which the recipe alone has.
+pub(crate) fn thread_running_out(crest: f64, root: f64, drive: f64, length: f64) -> CutterPath {
+    let mut path = thread_with_recipe(crest, root, drive);
+    for recipe in path.operations.iter_mut().flat_map(|operation| &mut operation.recipes) {
+        if let RecipeKind::Thread(thread) = &mut recipe.kind {
+            thread.run_out = length;
+        }
+    }
+    path
 }
 
 /// Roughing and finishing of the same steps with one contour, as recipes; the moves stand for both.

@@ -133,6 +133,7 @@ impl Passes<'_> {
             finish_depth: FINISH_DEPTH_MM,
             spring_passes: self.choices.spring_passes,
             flank_deg,
+            run_out: self.run_out(),
             rpm: self.rpm(),
         }
     }
