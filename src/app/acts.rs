@@ -125,7 +125,7 @@ impl Desk {
             Ok(text) => {
                 let file = path.file_name().unwrap_or_default().to_string_lossy();
                 let label = format!("{file} as {name}");
-                session.edit_part(&label, None, |part| _ = part.overrides.insert(name, text));
+                session.put_by_hand(&label, None, &name, Some(text));
                 self.layout().bring_to_front(Pane::Program);
             }
             Err(reasons) => self.say_all(&reasons),

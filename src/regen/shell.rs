@@ -1,6 +1,6 @@
 //! A flow-turned shell: former, wall and roller path to programs and proofs.
 
-use super::turned_part::no_such_machine;
+use super::turned_part::{no_such_machine, stray_overrides};
 use super::{Derived, Stage, file_stem};
 use crate::cancel::{Cancel, Cancelled};
 use crate::diagnostic::{Diagnostic, Place, Severity};
@@ -72,7 +72,8 @@ pub(super) fn regenerate(
     cancel.check()?;
     let shell_mm = shell.scaled(document.unit.in_mm());
     let shape = cache.shape.get(geometry_only(&shell_mm), |shell| spinning::shape(shell).map(Arc::new));
-    let checks = cache.checks.get((shell_mm.clone(), document.unit, Arc::clone(&shape)), |(shell, unit, shape)| {
+    let generated = Shell { overrides: BTreeMap::new(), ..shell_mm.clone() };
+    let checks = cache.checks.get((generated, document.unit, Arc::clone(&shape)), |(shell, unit, shape)| {
         spinning::check(shell, shape.as_ref().as_deref(), *unit)
     });
     let mut diagnostics = (*checks).clone();
@@ -104,8 +105,8 @@ pub(super) fn regenerate(
         Arc::default()
     };
     diagnostics.extend(post.diagnostics.iter().cloned());
-    let text = |p: &post::Program| ProgramText { name: p.name.clone(), text: p.text.clone(), edited: false };
-    let programs: Arc<Vec<ProgramText>> = Arc::new(post.programs.iter().map(text).collect());
+    let programs = Arc::new(with_overrides(&post, &shell_mm));
+    diagnostics.extend(stray_overrides(shell_mm.overrides.keys(), programs.iter()));
     let proof = if programs.is_empty() {
         Arc::default()
     } else {
@@ -148,7 +149,17 @@ fn geometry_only(shell: &Shell) -> Shell {
 
 /// The design without what program and proof do not depend on.
 fn without_rig(shell: &Shell) -> Shell {
-    Shell { rig: RigChoices::default(), ..shell.clone() }
+    Shell { rig: RigChoices::default(), overrides: BTreeMap::new(), ..shell.clone() }
+}
+
+/// The programs as they will be sent: as generated, or as edited by hand.
+fn with_overrides(post: &PostOutput, shell: &Shell) -> Vec<ProgramText> {
+    let text_of = |program: &post::Program| {
+        let by_hand = shell.overrides.get(&program.name);
+        let text = by_hand.unwrap_or(&program.text).clone();
+        ProgramText { name: program.name.clone(), text, edited: by_hand.is_some() }
+    };
+    post.programs.iter().map(text_of).collect()
 }
 
 fn set_points(path: &Arc<RollerPath>, shell: &Shell, cache: &mut ShellCache) -> Arc<Vec<SetPoint>> {

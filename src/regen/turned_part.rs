@@ -61,7 +61,7 @@ pub(super) fn regenerate(
         cancel.check()?;
         made.push(regenerate_setup(&context, setup, stages, &mut diagnostics, cancel)?);
     }
-    diagnostics.extend(stray_overrides(part, &made));
+    diagnostics.extend(stray_overrides(part.overrides.keys(), made.iter().flat_map(|setup| setup.programs.iter())));
     let material = Some(context.material);
     Ok(Derived { machine: Some(machine), material, setups: made, ..Derived::only(document, diagnostics) })
 }
@@ -284,9 +284,13 @@ fn no_such_material(part: &TurnedPart, catalog: &Catalog) -> Diagnostic {
         .with_hint(format!("Choose one of {}.", known.join(", ")))
 }
 
-fn stray_overrides(part: &TurnedPart, setups: &[SetupDerived]) -> Vec<Diagnostic> {
-    let exists = |name: &String| setups.iter().flat_map(|s| s.programs.iter()).any(|p| p.name == *name);
-    let stray = part.overrides.keys().filter(|name| !exists(name));
+/// Texts edited by hand whose program is not there any more.
+pub(super) fn stray_overrides<'a>(
+    names: impl Iterator<Item = &'a String>,
+    programs: impl IntoIterator<Item = &'a ProgramText>,
+) -> Vec<Diagnostic> {
+    let there: Vec<&str> = programs.into_iter().map(|program| program.name.as_str()).collect();
+    let stray = names.filter(|name| !there.contains(&name.as_str()));
     stray
         .map(|name| {
             Diagnostic::warning(

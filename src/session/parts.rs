@@ -4,6 +4,7 @@ use super::{GestureId, Session};
 use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::document::{Content, Document, RollRef, RollWork, TurnedPart, fingerprint};
 use crate::regen::{Derived, RollSetDerived};
+use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock};
 
 impl Session {
@@ -79,6 +80,33 @@ impl Session {
         self.edit(&format!("note that {program} was sent"), None, |document| {
             if let Content::RollSet(set) = &mut document.content {
                 set.roll_mut(roll).sent.insert(program, fingerprint);
+            }
+        });
+    }
+
+    /// The text of a program as it was edited by hand, if it was.
+    #[must_use]
+    pub fn text_by_hand(&self, program: &str) -> Option<&String> {
+        match &self.document.content {
+            Content::Shell(shell) => shell.overrides.get(program),
+            Content::TurnedPart(_) | Content::RollSet(_) => self.part().overrides.get(program),
+        }
+    }
+
+    /// Puts a text in the place of a generated program, or gives up the one that was there.
+    pub fn put_by_hand(&mut self, label: &str, gesture: Option<GestureId>, program: &str, text: Option<String>) {
+        let name = program.to_owned();
+        let change = |overrides: &mut BTreeMap<String, String>| match text {
+            Some(text) => _ = overrides.insert(name, text),
+            None => _ = overrides.remove(&name),
+        };
+        if !matches!(self.document.content, Content::Shell(_)) {
+            self.edit_part(label, gesture, |part| change(&mut part.overrides));
+            return;
+        }
+        self.edit(label, gesture, |document| {
+            if let Content::Shell(shell) = &mut document.content {
+                change(&mut shell.overrides);
             }
         });
     }

@@ -11,7 +11,7 @@ const START_PICTURE: char = '␂';
 
 /// Shows the text to be edited; all typing until the field is left is one step of undo.
 pub(super) fn show(ui: &mut Ui, gesture: &mut Option<GestureId>, session: &mut Session, program: &ProgramText) {
-    let present = session.part().overrides.get(&program.name).unwrap_or(&program.text);
+    let present = session.text_by_hand(&program.name).unwrap_or(&program.text);
     let mut text = shown(present);
     let carriage_returns = present.contains("\r\n");
     let id = ui.make_persistent_id(("by-hand", &program.name));
@@ -29,9 +29,8 @@ pub(super) fn show(ui: &mut Ui, gesture: &mut Option<GestureId>, session: &mut S
         });
         if response.changed() {
             let step = *gesture.get_or_insert_with(|| session.new_gesture());
-            let (name, text) = (program.name.clone(), sent(&text, carriage_returns));
-            session
-                .edit_part(&format!("edit {name} by hand"), Some(step), |part| _ = part.overrides.insert(name, text));
+            let (name, text) = (&program.name, sent(&text, carriage_returns));
+            session.put_by_hand(&format!("edit {name} by hand"), Some(step), name, Some(text));
         }
         if response.lost_focus() {
             *gesture = None;

@@ -100,10 +100,10 @@ pub(super) fn show(ui: &mut Ui, view: &mut EntryView, session: &mut Session, pro
 }
 
 fn insert(session: &mut Session, program: &ProgramText, after: usize, instruction: Instruction) {
-    let present = session.part().overrides.get(&program.name).unwrap_or(&program.text);
+    let present = session.text_by_hand(&program.name).unwrap_or(&program.text);
     let (mut instructions, _) = compress(present, &program.name);
     instructions.insert(after.min(instructions.len()), instruction);
-    let (name, text) = (program.name.clone(), pages_text(&instructions));
+    let (name, text) = (&program.name, pages_text(&instructions));
     let label = format!("insert {} into {name}", instruction.kind().word());
-    session.edit_part(&label, None, |part| _ = part.overrides.insert(name, text));
+    session.put_by_hand(&label, None, name, Some(text));
 }

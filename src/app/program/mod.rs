@@ -62,7 +62,7 @@ pub(crate) fn show(
         return dragged;
     };
     // A text made by hand is part of the document; a generated one must be the present one before it is edited.
-    let outdated = session.outdated().filter(|_| !session.part().overrides.contains_key(&program.name));
+    let outdated = session.outdated().filter(|_| session.text_by_hand(&program.name).is_none());
     if view.mode == Mode::Edit {
         match outdated {
             Some(reason) => _ = ui.label(theme::quiet(reason, Colors::of(ui.visuals()))),
@@ -107,8 +107,7 @@ fn tools(ui: &mut Ui, view: &mut ProgramView, session: &mut Session, program: &P
         }
     }
     let mut edit = view.mode == Mode::Edit;
-    let is_shell = session.derived().is_some_and(|d| d.shell.is_some());
-    if !is_shell && toggle(ui, &mut edit, "edit").on_hover_text("Edit the text by hand").clicked() {
+    if toggle(ui, &mut edit, "edit").on_hover_text("Edit the text by hand").clicked() {
         view.mode = if edit { Mode::Edit } else { Mode::Text };
         view.gesture = None;
     }
@@ -127,8 +126,7 @@ fn tools(ui: &mut Ui, view: &mut ProgramView, session: &mut Session, program: &P
     }
     if program.edited {
         if link(ui, "revert").on_hover_text("Go back to the program as generated").clicked() {
-            let name = program.name.clone();
-            session.edit_part(&format!("revert {name}"), None, |part| _ = part.overrides.remove(&name));
+            session.put_by_hand(&format!("revert {}", program.name), None, &program.name, None);
         }
         let colors = Colors::of(ui.visuals());
         ui.label(RichText::new("edited by hand").color(colors.plot.unreachable));

@@ -196,7 +196,7 @@ fn received(ui: &mut Ui, panel: &TransferPanel, session: &mut Session, requests:
     ui.horizontal(|ui| {
         if link(ui, &format!("Use as {name}")).clicked() {
             let label = format!("received program as {name}");
-            session.edit_part(&label, None, |part| _ = part.overrides.insert(name.clone(), text.clone()));
+            session.put_by_hand(&label, None, &name, Some(text.clone()));
         }
         if link(ui, "Save…").on_hover_text("Save it as it came into a file").clicked() {
             let (name, text) = (format!("{name}-received"), text.as_str().into());

@@ -3,6 +3,7 @@
 mod former;
 
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 pub use former::{Former, FormerShape};
 
@@ -36,6 +37,9 @@ pub struct Shell {
     /// How the hydraulic rig forms it.
     #[serde(default)]
     pub rig: RigChoices,
+    /// Programs edited by hand, by program name: the text that replaces the generated one.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub overrides: BTreeMap<String, String>,
 }
 
 /// What becomes of the wall.
@@ -155,6 +159,7 @@ impl Default for Shell {
             speeds: Speeds { surface_m_per_min: 350.0, max_rpm: 1500.0, feed_per_rev: 0.5 },
             gap_tolerance: 0.02,
             rig: RigChoices::default(),
+            overrides: BTreeMap::new(),
         }
     }
 }
