@@ -2,9 +2,9 @@
 //! shell spans what lies between.
 
 use super::chain::with_ends;
-use super::fit;
 use super::offset::{Cut, Distance, Offset, along, half_angle, outward};
-use crate::geometry::{Contour, Point, Segment};
+use crate::document::Forming;
+use crate::geometry::{Contour, Point, Segment, Vector, biarc};
 use std::ops::RangeInclusive;
 
 /// Sides that differ by less than this make no hollow, radians.
@@ -21,13 +21,13 @@ pub struct Hollow {
     pub stands_off: f64,
     /// Smallest radius of the former there, mm; 0 for a sharp corner.
     pub former_radius: f64,
-    /// Smallest inside radius of the shell there, mm: nose and wall.
+    /// Inside radius of the shell there, mm: that of the nose, in spinning with the wall.
     pub shell_radius: f64,
 }
 
 /// The inside of the shell that a roller makes over `former`, and the hollows that it spans. `centres` is the path of the
 /// nose's centre, at `distance` from the former.
-pub(super) fn formed(former: &Contour, centres: &Offset, distance: Distance, tolerance: f64) -> (Contour, Vec<Hollow>) {
+pub(super) fn formed(former: &Contour, centres: &Offset, distance: Distance) -> (Contour, Vec<Hollow>) {
     let mut inside = former.segments.clone();
     let mut hollows = Vec::new();
     // From the base, so that places before a hollow keep their number.
@@ -38,7 +38,7 @@ pub(super) fn formed(former: &Contour, centres: &Offset, distance: Distance, tol
         if let Some(last) = inside.last_mut() {
             *last = with_ends(last, last.start(), span.leaves);
         }
-        inside.extend(span.segments(distance, tolerance));
+        inside.extend(span.segments());
         inside.extend(former.segments.get(cut.behind).map(|s| with_ends(s, span.returns, s.end())));
         inside.extend(next);
         hollows.push(span.hollow(former, cut, distance));
@@ -50,7 +50,6 @@ pub(super) fn formed(former: &Contour, centres: &Offset, distance: Distance, tol
 
 /// What the shell spans with the roller's nose centre at one place.
 struct Span {
-    centre: Point,
     /// Where the shell leaves the former, and the angle of the wall there.
     leaves: Point,
     from: f64,
@@ -61,33 +60,28 @@ struct Span {
 
 impl Span {
     /// `None` where there is no hollow.
+    ///
+    /// The nose leaves its own arc on the outside. In flow-turning the inside is the same arc, shifted along the axis by the
+    /// blank's thickness, for every element keeps its radius and its thickness along the axis; in spinning it lies the wall
+    /// further in. Both touch the former's sides.
     fn new(former: &Contour, cut: &Cut, distance: Distance) -> Option<Self> {
-        let touches = |segment: usize| Some(former.segments.get(segment)?.nearest_point(cut.at));
-        let (leaves, returns) = (touches(cut.before)?, touches(cut.behind)?);
-        let (from, to) = (angle_from(leaves, cut.at)?, angle_from(returns, cut.at)?);
-        (to - from > STRAIGHT_RAD && distance.at(from) > 0.0).then_some(Self {
-            centre: cut.at,
-            leaves,
-            from,
-            returns,
-            to,
-        })
+        let touches = |index: usize| {
+            let side = former.segments.get(index)?;
+            let outward = outward(angle_from(side.nearest_point(cut.at), cut.at)?);
+            let inside = match distance.forming {
+                Forming::Shear => cut.at - outward * distance.more - Vector::new(distance.thickness, 0.0),
+                Forming::Spinning => cut.at - outward * (distance.more + distance.thickness),
+            };
+            let at = side.nearest_point(inside);
+            Some((at, half_angle(side.direction_at(share_of(side, at)))))
+        };
+        let ((leaves, from), (returns, to)) = (touches(cut.before)?, touches(cut.behind)?);
+        (to - from > STRAIGHT_RAD && distance.more > 0.0).then_some(Self { leaves, from, returns, to })
     }
 
-    /// The inside of the shell: nose and wall away from the centre.
-    fn segments(&self, distance: Distance, tolerance: f64) -> Vec<Segment> {
-        let (start, end) = (self.leaves, self.returns);
-        let steady = (distance.at(self.from) - distance.at(self.to)).abs() < tolerance / 10.0
-            && (distance.at(self.from) - distance.at(f64::midpoint(self.from, self.to))).abs() < tolerance / 10.0;
-        if steady {
-            return vec![Segment::Arc { start, end, center: self.centre, ccw: false }];
-        }
-        let curve = |share: f64| {
-            let angle = self.from + (self.to - self.from) * share;
-            let direction = along(angle) * distance.at(angle) - outward(angle) * distance.slope(angle);
-            (self.centre - outward(angle) * distance.at(angle), direction.normalize())
-        };
-        fit::arcs(&curve, 0.0, 1.0, tolerance)
+    /// The inside of the shell.
+    fn segments(&self) -> [Segment; 2] {
+        biarc(self.leaves, along(self.from), self.returns, along(self.to))
     }
 
     fn hollow(&self, former: &Contour, cut: &Cut, distance: Distance) -> Hollow {
@@ -96,26 +90,41 @@ impl Span {
         let spanned = former.segments.get(cut.before..=cut.behind).unwrap_or_default();
         let corners = spanned.windows(2).filter_map(|pair| pair.first()).map(Segment::end);
         let arcs = spanned.iter().filter(|s| s.sweep() < 0.0);
+        let between = |p: &Point| (self.returns.z..=self.leaves.z).contains(&p.z);
         let on_arcs = arcs.clone().flat_map(|s| (0..=PLACES).map(|k| s.point_at(f64::from(k) / f64::from(PLACES))));
-        let off = |p: Point| {
-            let angle = angle_from(p, self.centre).filter(|a| (self.from..=self.to).contains(a))?;
-            Some((p, p.distance(self.centre) - distance.at(angle)))
-        };
-        let furthest = corners.chain(on_arcs).filter_map(off).max_by(|a, b| a.1.total_cmp(&b.1));
+        let inside = self.segments();
+        let off = |p: Point| (p, inside.iter().map(|s| s.distance_to(p)).fold(f64::INFINITY, f64::min));
+        let furthest = corners.chain(on_arcs.filter(between)).map(off).max_by(|a, b| a.1.total_cmp(&b.1));
         let (at, stands_off) = furthest.unwrap_or((self.leaves, 0.0));
         let sharp = spanned.windows(2).any(|pair| match pair {
             [a, b] => half_angle(b.direction_at(0.0)) - half_angle(a.direction_at(1.0)) > STRAIGHT_RAD,
             _ => false,
         });
         let narrowest = arcs.filter_map(Segment::radius).fold(f64::INFINITY, f64::min);
+        let wall = if distance.forming == Forming::Spinning { distance.thickness } else { 0.0 };
         Hollow {
             segments: cut.before..=cut.behind,
             at,
-            stands_off: stands_off.max(0.0),
+            stands_off,
             former_radius: if sharp { 0.0 } else { narrowest },
-            shell_radius: distance.at(self.from).min(distance.at(self.to)),
+            shell_radius: distance.more + wall,
         }
     }
+}
+
+/// How far along a segment a point of it lies, as a share of its length.
+fn share_of(segment: &Segment, p: Point) -> f64 {
+    let whole = segment.length();
+    let part = match *segment {
+        Segment::Line { start, .. } => start.distance(p),
+        Segment::Arc { start, center, ccw, .. } => Segment::Arc { start, end: p, center, ccw }.length(),
+    };
+    if start_is(segment, p) || whole <= 0.0 { 0.0 } else { (part / whole).clamp(0.0, 1.0) }
+}
+
+/// An arc from a point to itself would be a whole circle.
+fn start_is(segment: &Segment, p: Point) -> bool {
+    segment.start().distance(p) < 1e-9
 }
 
 /// Angle to the axis of a wall whose outside is towards `centre`; `None` where they are the same place.
@@ -128,7 +137,6 @@ fn angle_from(p: Point, centre: Point) -> Option<f64> {
 mod tests {
     use super::super::offset::offset;
     use super::*;
-    use crate::document::Forming;
 
     const TOLERANCE: f64 = 0.0005;
 
@@ -142,7 +150,7 @@ mod tests {
 
     fn over(former: &Contour, distance: Distance) -> (Contour, Vec<Hollow>, Offset) {
         let centres = offset(former, distance, TOLERANCE);
-        let (inside, hollows) = formed(former, &centres, distance, TOLERANCE);
+        let (inside, hollows) = formed(former, &centres, distance);
         (inside, hollows, centres)
     }
 
@@ -161,28 +169,31 @@ mod tests {
         let corner = p(50.0, 40.0);
         let former = lines(&[corner - along(flat) * 40.0, corner, corner + along(steep) * 40.0]);
         let (inside, hollows, _) = over(&former, spinning(6.0));
-        assert_eq!(inside.segments.len(), 3);
-        assert!((inside.segments[1].radius().unwrap() - 8.0).abs() < 1e-9);
+        assert_eq!(inside.segments.len(), 4);
+        assert!(inside.segments[1..3].iter().all(|s| (s.radius().unwrap() - 8.0).abs() < 1e-6), "{inside:?}");
         let [hollow] = hollows.as_slice() else { panic!("{hollows:?}") };
         assert_eq!((hollow.at, hollow.former_radius, hollow.segments.clone()), (corner, 0.0, 0..=1));
         // A fillet of radius ρ in a corner that turns by φ stands off it by ρ (1/cos(φ/2) − 1).
         let want = 8.0 * (1.0 / 25.0_f64.to_radians().cos() - 1.0);
-        assert!((hollow.stands_off - want).abs() < 1e-9, "{} {want}", hollow.stands_off);
+        assert!((hollow.stands_off - want).abs() < 1e-6, "{} {want}", hollow.stands_off);
     }
 
     #[test]
-    fn in_shear_the_inside_follows_the_sine_wall_from_side_to_side() {
+    fn in_shear_every_element_keeps_its_thickness_along_the_axis() {
         let former = lines(&[p(60.0, 20.0), p(30.0, 32.0), p(18.0, 60.0)]);
         let (inside, hollows, centres) = over(&former, shear(6.0));
-        assert_eq!(hollows.len(), 1);
-        assert!(inside.largest_gap() < 1e-6, "{}", inside.largest_gap());
-        let centre = centres.cuts[0].at;
-        for segment in &inside.segments[1..inside.segments.len() - 1] {
+        assert!(hollows.len() == 1 && inside.largest_gap() < 1e-6, "{hollows:?} {}", inside.largest_gap());
+        // Tangent to both sides, with the nose's own radius about its centre, shifted by the blank's thickness.
+        let centre = centres.cuts[0].at - Vector::new(2.0, 0.0);
+        for segment in &inside.segments[1..3] {
             for k in 0..=10 {
                 let at = segment.point_at(f64::from(k) / 10.0);
-                let wall = 2.0 * angle_from(at, centre).unwrap().sin();
-                assert!((at.distance(centre) - 6.0 - wall).abs() < 2.0 * TOLERANCE);
+                assert!((at.distance(centre) - 6.0).abs() < 1e-6, "{at:?}");
             }
+        }
+        for pair in inside.segments.windows(2) {
+            let turn = half_angle(pair[1].direction_at(0.0)) - half_angle(pair[0].direction_at(1.0));
+            assert!(turn.abs() < 1e-6, "{turn}");
         }
     }
 

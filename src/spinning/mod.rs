@@ -2,8 +2,8 @@
 //!
 //! | module | duty |
 //! |---|---|
-//! | `former`, `offset`, `chain`, `hollow`, `shape`, `law` | former to exact contour, wall by the sine law, hollows that the
-//! roller spans, blank by constant volume |
+//! | `former`, `offset`, `chain` | former to exact contour, and the contour at a distance from it |
+//! | `hollow`, `shape`, `law` | hollows that the roller spans, wall by the sine law, blank by constant volume |
 //! | `rules`, [`material`](mod@material) | limits of process, material, roller and rig, one rule a file |
 //! | [`published`] | the controller of 1988: ranges, tables, integer interpolation |
 //! | [`interpolation`] | exact set points for any contour |

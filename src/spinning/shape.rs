@@ -107,7 +107,7 @@ pub fn shape(shell_mm: &Shell) -> Option<ShellShape> {
     let nose = Some(shell_mm.roller.nose_radius).filter(|r| r.is_finite() && *r > 0.0).unwrap_or_default();
     let to_centre = Distance { more: nose, ..wall };
     let centres = offset::offset(&former, to_centre, CONTOUR_TOLERANCE_MM);
-    let (inside, hollows) = hollow::formed(&former, &centres, to_centre, CONTOUR_TOLERANCE_MM);
+    let (inside, hollows) = hollow::formed(&former, &centres, to_centre);
     let outside = offset::offset(&inside, wall, CONTOUR_TOLERANCE_MM).contour;
     let stations = stations(&inside, shell_mm);
     let mut shape = ShellShape {

@@ -4,6 +4,7 @@ use std::sync::Arc;
 use turnwright::cancel::Cancel;
 use turnwright::diagnostic::has_errors;
 use turnwright::document::{Content, Document, FormerShape, Forming, Kind};
+use turnwright::geometry::{Contour, Location};
 use turnwright::machine::Catalog;
 use turnwright::output;
 use turnwright::part::{Section, SectionKind};
@@ -145,7 +146,10 @@ fn a_sharp_hollow_corner_is_told_shown_and_programmed_and_the_proof_agrees() {
             let made = derived(document);
             let codes: Vec<&str> = made.diagnostics.iter().map(|d| d.code.as_str()).collect();
             let shell = made.shell.as_ref().unwrap();
-            assert!(codes.contains(&"hollow-not-formed") && !codes.contains(&"roller-too-large"), "{codes:?}");
+            // A corner that turns by 7° only leaves the shell within the tolerance.
+            let is_told = codes.contains(&"hollow-not-formed");
+            assert_eq!(is_told, shell.shape.hollows[0].stands_off > 0.02, "{codes:?}");
+            assert!(!codes.contains(&"roller-too-large"), "{codes:?}");
             let rules = made.diagnostics.iter().filter(|d| d.code != "shell-proof");
             if rules.clone().any(|d| d.severity == turnwright::diagnostic::Severity::Error) {
                 continue;
@@ -157,10 +161,10 @@ fn a_sharp_hollow_corner_is_told_shown_and_programmed_and_the_proof_agrees() {
             assert!((proof.spanned_mm - told.stands_off).abs() < 0.003, "{} {}", proof.spanned_mm, told.stands_off);
             assert!((told.at.z - shell.shape.base().z - 10.0).abs() < 1e-9);
             println!("{base} {corner} {forming:?} nose {nose}: stands off {:.3} mm", told.stands_off);
-            // The wall keeps the sine law from side to side; nowhere is the shell inside the former.
-            let former = &shell.shape.former;
+            // Nowhere is the shell inside the former.
+            let former = Contour::polygon(&shell.shape.former_outline(1e-4));
             for station in &shell.shape.stations {
-                assert!(former.distance_to(station.at) < told.stands_off + 0.002);
+                assert_ne!(former.locate(station.at, 0.002), Location::Inside, "{:?}", station.at);
             }
             let thinnest = shell.shape.stations.iter().map(|s| s.wall).fold(f64::INFINITY, f64::min);
             assert!(thinnest > 0.0);
@@ -194,4 +198,32 @@ fn a_program_that_spans_a_hollow_further_than_it_must_is_not_excused() {
     assert!(own.passed, "{:?}", own.findings);
     let other = prove(&input(Arc::clone(&wide.programs), &narrow), &Cancel::default()).unwrap();
     assert!(!other.passed && other.widest_mm > 0.1, "{other:?}");
+}
+
+#[test]
+fn a_program_edited_by_hand_is_proved_again_and_a_stray_one_is_told() {
+    let mut document = example("CONE");
+    let text = derived(document.clone()).shell.unwrap().programs[0].text.clone();
+    // 0.1 mm nearer to the axis where the contour begins.
+    let line = text.lines().filter(|l| l.contains('X')).nth(2).unwrap();
+    let word = line.split_whitespace().find(|w| w.starts_with('X')).unwrap();
+    let nearer = format!("X{:.3}", word[1..].parse::<f64>().unwrap() - 0.2);
+    let edited = text.replacen(line, &line.replace(word, &nearer), 1);
+    let put = |document: &mut Document, name: &str, text: &str| {
+        let Content::Shell(shell) = &mut document.content else { unreachable!("a shell") };
+        shell.overrides = [(name.to_owned(), text.to_owned())].into();
+    };
+    put(&mut document, "CONE", &edited);
+    let made = derived(document.clone());
+    let shell = made.shell.as_ref().unwrap();
+    assert!(shell.programs[0].edited && shell.programs[0].text == edited);
+    assert!(!shell.proof.passed && output::has_errors(&made), "{nearer} for {word}: {:?}", shell.proof.findings);
+    let files = output::files(&made);
+    assert_eq!(files[0].text, edited);
+    // A remark changes nothing that is proved.
+    put(&mut document, "CONE", &text.replacen('(', "(BY HAND ", 1));
+    assert!(derived(document.clone()).shell.unwrap().proof.passed);
+    put(&mut document, "OLD", &text);
+    let codes: Vec<String> = derived(document).diagnostics.into_iter().map(|d| d.code).collect();
+    assert_eq!(codes, ["override-without-program"]);
 }

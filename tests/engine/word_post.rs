@@ -243,7 +243,7 @@ fn a_fanuc_cuts_a_thread_by_g76() {
 fn every_stage_sets_its_clamp_and_its_feed_again() {
     let first = finish_with_recipe();
     let mut path = first.clone();
-    path.operations.extend(first.operations.iter().map(|o| o.clone()));
+    path.operations.extend(first.operations.iter().cloned());
     path.operations[1].tool = 7;
     for machine in machines().iter().filter(|m| m.words.as_ref().is_some_and(|w| w.surface_speed)) {
         let text = lines_of(&path, &Options::default(), machine);

@@ -211,7 +211,7 @@ mod at_a_port {
 
     /// Frames until a text is shown.
     fn until(window: &mut Window, text: &str) {
-        let until = Instant::now() + Duration::from_secs(60);
+        let until = Instant::now() + Duration::from_mins(1);
         while window.harness.query_by_label_contains(text).is_none() {
             window.harness.run_steps(1);
             assert!(Instant::now() < until, "{text} never came");
@@ -291,4 +291,25 @@ fn a_sharp_hollow_corner_is_shown_as_it_will_be() {
     window.harness.run_steps(2);
     assert!(window.harness.query_by_label_contains("is a sharp corner").is_some());
     window.keep_picture("hollow-corner-problems");
+}
+
+#[test]
+fn the_program_of_a_shell_is_edited_by_hand_and_reverted() {
+    let mut window = open("CONE");
+    window.click("Program");
+    window.click("edit");
+    let field = window.harness.get_by_label("Text of CONE");
+    field.focus();
+    window.harness.run_steps(2);
+    window.harness.event(egui::Event::Text("G1 X10 Z-20 F0.1\n".to_owned()));
+    window.harness.run_steps(2);
+    window.until_current();
+    let made = window.session().derived().and_then(|d| d.shell.clone()).expect("a shell");
+    assert!(made.programs[0].edited && !made.proof.passed);
+    assert!(window.harness.query_by_label("edited by hand").is_some());
+    window.keep_picture("shell-program-by-hand");
+    window.click("revert");
+    window.until_current();
+    let made = window.session().derived().and_then(|d| d.shell.clone()).expect("a shell");
+    assert!(!made.programs[0].edited && made.proof.passed);
 }

@@ -129,7 +129,7 @@ impl Live {
             RigEvent::Stopped { reason, .. } => self.over(Event::Stopped(by_hand(reason))),
             RigEvent::Lost(reason) => {
                 self.port.close();
-                self.over(Event::Stopped(reason.clone()));
+                self.over(Event::Lost(reason.clone()));
             }
         }
     }
@@ -197,14 +197,14 @@ impl Live {
 
     /// The simulated roller is drawn back in an instant.
     fn seek_datum(&mut self) {
+        /// More looks than a full stroke takes.
+        const LOOKS: u32 = 20_000;
         if self.port.name().is_some() {
             if let Err(reason) = self.port.seek_datum(self.ctx.as_ref()) {
-                self.sequence.take(Event::Stopped(reason));
+                self.sequence.take(Event::Lost(reason));
             }
             return;
         }
-        /// More looks than a full stroke takes.
-        const LOOKS: u32 = 20_000;
         let mut rig = SimulatedRig::new(RigModel::new(1.0, 1.0), Vec::new());
         rig.set_pump(true);
         rig.set_valve(crate::spinning::rig::valve::RETRACT);
@@ -230,7 +230,7 @@ impl Live {
                 Ran::OnLine(Box::new(RemoteRun::new(plan)))
             }
             (Some(_), None) => {
-                self.sequence.take(Event::Stopped("The rig is not connected; set it up again.".to_owned()));
+                self.sequence.take(Event::Lost("The rig is not connected; set it up again.".to_owned()));
                 return;
             }
         };
@@ -247,7 +247,7 @@ impl Live {
             name.push_str(", relative");
         }
         if let Some(fault) = self.setting.fault {
-            name.push_str(&format!(", {fault}"));
+            *name = format!("{name}, {fault}");
         }
         let faults: Vec<Fault> = self.setting.fault.into_iter().collect();
         let plan = Plan { moves: self.setting.moves, ..plan };

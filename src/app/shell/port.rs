@@ -54,13 +54,12 @@ impl RigPort {
         if name.is_empty() {
             return Err("No port is named. Choose one, or type its path, in the panel Rig.".to_owned());
         }
-        match &self.line {
-            Some(line) => line.seek_datum(),
-            None => {
-                let ctx = ctx.cloned();
-                let wake = move || ctx.iter().for_each(Context::request_repaint);
-                self.line = Some(RigLine::open(Port::Serial(name), wake));
-            }
+        if let Some(line) = &self.line {
+            line.seek_datum();
+        } else {
+            let ctx = ctx.cloned();
+            let wake = move || ctx.iter().for_each(Context::request_repaint);
+            self.line = Some(RigLine::open(Port::Serial(name), wake));
         }
         Ok(())
     }

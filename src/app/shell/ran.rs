@@ -75,9 +75,9 @@ impl Ran {
 
     /// How it ended.
     pub(super) fn verdict(&self) -> String {
-        let stopped = |reason: &dyn std::fmt::Display, drawn_back| match drawn_back {
-            true => format!("stopped: {reason}"),
-            false => format!("stopped, roller not drawn back: {reason}"),
+        let stopped = |reason: &dyn std::fmt::Display, drawn_back: bool| {
+            let how = if drawn_back { "" } else { ", roller not drawn back" };
+            format!("stopped{how}: {reason}")
         };
         match self {
             Self::Simulated(run) => match run.controller().phase() {

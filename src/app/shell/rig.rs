@@ -34,10 +34,8 @@ pub(super) fn show(ui: &mut Ui, titled: bool, session: &Session, views: &mut She
     let running = views.live.is_running();
     let remark = views.live.newest().map_or_else(String::new, status);
     let dragged = title_row(ui, titled.then_some("Rig"), &remark, |ui| {
-        if running || views.live.port.is_open() {
-            if super::operator::stop_button(ui) {
-                views.live.press(Key::Emergency, session);
-            }
+        if (running || views.live.port.is_open()) && super::operator::stop_button(ui) {
+            views.live.press(Key::Emergency, session);
         }
         if !running {
             which_rig(ui, &mut views.live);

@@ -132,8 +132,8 @@ fn section(page: &mut Page, subject: &Subject<'_>, view: &View) {
     let half = wall_ring(subject);
     let upper = view.segments(&half);
     let lower: Vec<Segment> = half.iter().map(|s| view.segment(&mirrored(s))).collect();
-    hatch(page, &[upper.clone()], HATCH_MM);
-    hatch(page, &[lower.clone()], HATCH_MM);
+    hatch(page, std::slice::from_ref(&upper), HATCH_MM);
+    hatch(page, std::slice::from_ref(&lower), HATCH_MM);
     for ring in [upper, lower] {
         // The line on the axis is none of the shell's edges.
         let on_axis = |s: &Segment| [s.start(), s.end()].iter().all(|p| (p.r - view.origin.r).abs() < 1e-9);

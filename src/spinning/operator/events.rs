@@ -28,6 +28,8 @@ pub enum Event {
     Completed,
     /// The run was stopped by the controller, with its reason.
     Stopped(String),
+    /// The rig cannot be reached: what it does is not known.
+    Lost(String),
 }
 
 /// What the sequence wants done.

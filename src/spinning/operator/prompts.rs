@@ -95,8 +95,10 @@ impl Sequence {
         if let State::Ready(job) | State::Running(job) | State::Again(job) = &self.state {
             notes.push(job.name());
         }
-        if let State::Stopped { job, .. } = &self.state {
-            notes.push("Lathe and pump are off.".to_owned());
+        if let State::Stopped { job, is_off, .. } = &self.state {
+            let known =
+                if *is_off { "Lathe and pump are off." } else { "Whether lathe and pump are off is not known." };
+            notes.push(known.to_owned());
             notes.extend(job.map(|job| job.name()));
         }
         notes

@@ -20,7 +20,7 @@ pub(super) enum State {
     Ready(Job),
     Running(Job),
     Again(Job),
-    Stopped { job: Option<Job>, reason: String },
+    Stopped { job: Option<Job>, reason: String, is_off: bool },
 }
 
 /// What has been entered for the contour being described.
@@ -80,14 +80,19 @@ impl Sequence {
                 None
             }
             Event::Stopped(reason) => {
-                self.stopped(reason);
+                self.stopped(reason, true);
+                None
+            }
+            Event::Lost(reason) => {
+                self.stopped(reason, false);
                 None
             }
         }
     }
 
     fn emergency(&mut self) -> Command {
-        self.go(State::Stopped { job: self.job(), reason: "Emergency stop by the operator.".to_owned() });
+        let reason = "Emergency stop by the operator.".to_owned();
+        self.go(State::Stopped { job: self.job(), reason, is_off: true });
         Command::EmergencyStop
     }
 
@@ -101,9 +106,9 @@ impl Sequence {
     }
 
     /// The rig has stopped, or cannot be reached; before it is set up that means nothing.
-    fn stopped(&mut self, reason: String) {
+    fn stopped(&mut self, reason: String, is_off: bool) {
         if !matches!(self.state, State::Welcome | State::SetUp(_)) {
-            self.go(State::Stopped { job: self.job(), reason });
+            self.go(State::Stopped { job: self.job(), reason, is_off });
         }
     }
 

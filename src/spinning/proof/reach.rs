@@ -3,7 +3,8 @@
 use super::gap::{Former, box_distance, over};
 use super::{ShellProof, ShellProofInput, shares};
 use crate::diagnostic::Severity;
-use crate::geometry::{Bounds, Point};
+use crate::document::Forming;
+use crate::geometry::{Bounds, Point, Segment, Vector};
 use crate::proof::{Finding, FindingKind, Move};
 use crate::spinning::{law, offset};
 
@@ -13,6 +14,9 @@ const STATION_MM: f64 = 0.5;
 /// A nose that would be nearer to another place of the former than the wall there by more than this does not reach, mm:
 /// rounding of the measurement.
 const ROUNDING_MM: f64 = 1e-6;
+
+/// Sides that turn outwards by less than this make no hollow corner, radians.
+const HOLLOW_RAD: f64 = 1e-6;
 
 /// A place of the former and how far it is from being formed, mm.
 type Worst = Option<(f64, Point)>;
@@ -68,21 +72,56 @@ fn along(input: &ShellProofInput, found: &ShellProof, former: &Former<'_>) -> (W
             let Some(nearest) = nearest(&paths, centre) else { continue };
             let off = nearest.distance(centre);
             let small = off <= input.shell.gap_tolerance;
-            if small || over(input, former, centre).is_none_or(|over| over > -ROUNDING_MM) {
+            if small || reaches(input, former, centre) {
                 worse(&mut missed, off, at);
             } else {
-                worse(&mut spanned, stands_off(&paths, at, nose, &wall_at), at);
+                worse(&mut spanned, stands_off(input, &paths, at), at);
             }
         }
     }
     (missed, spanned)
 }
 
-/// Distance of the shell's inside from a place that the roller does not reach, mm.
-fn stands_off(paths: &[(&Move, Bounds)], at: Point, nose: f64, wall_at: &dyn Fn(f64) -> f64) -> f64 {
-    let Some(centre) = nearest(paths, at) else { return f64::INFINITY };
-    let away = centre - at;
-    away.norm() - nose - wall_at(away.x.atan2(away.y))
+/// True if the nose keeps the wall of every side of the former here: at the nearest place, and wherever it is straight above
+/// one.
+fn reaches(input: &ShellProofInput, former: &Former<'_>, centre: Point) -> bool {
+    let nose = input.shell.roller.nose_radius;
+    let keeps = |segment: &Segment| {
+        let foot = segment.nearest_point(centre);
+        let at_an_end = foot.distance(segment.start()).min(foot.distance(segment.end())) < ROUNDING_MM;
+        let away = centre - foot;
+        let wall = law::wall(input.shell.forming, input.shape.thickness, away.x.atan2(away.y));
+        at_an_end || away.norm() - nose - wall > -ROUNDING_MM
+    };
+    let segments = &input.shape.former.segments;
+    over(input, former, centre).is_none_or(|over| over > -ROUNDING_MM)
+        && segments.iter().all(keeps)
+        && segments.windows(2).all(|pair| clears_corner(input, pair, centre))
+}
+
+/// True if the nose keeps the walls of both sides of a hollow corner, prolonged beyond it: where they differ, the nose meets
+/// the thicker one before it stands above it.
+fn clears_corner(input: &ShellProofInput, pair: &[Segment], centre: Point) -> bool {
+    let [a, b] = pair else { return true };
+    let (before, behind) = (offset::half_angle(a.direction_at(1.0)), offset::half_angle(b.direction_at(0.0)));
+    let clears = |side: &Segment, angle: f64| {
+        let ends_here = side.nearest_point(centre).distance(a.end()) < ROUNDING_MM;
+        let wall = law::wall(input.shell.forming, input.shape.thickness, angle);
+        let height = (centre - a.end()).dot(&offset::outward(angle));
+        !ends_here || height - input.shell.roller.nose_radius - wall > -ROUNDING_MM
+    };
+    behind - before < HOLLOW_RAD || (clears(a, before) && clears(b, behind))
+}
+
+/// Distance of the shell's inside from a place that the roller does not reach, mm: the nose's own surface, in flow-turning
+/// shifted along the axis by the blank's thickness, in spinning a wall further in.
+fn stands_off(input: &ShellProofInput, paths: &[(&Move, Bounds)], at: Point) -> f64 {
+    let (nose, thickness) = (input.shell.roller.nose_radius, input.shape.thickness);
+    let (outside, wall) = match input.shell.forming {
+        Forming::Shear => (at + Vector::new(thickness, 0.0), 0.0),
+        Forming::Spinning => (at, thickness),
+    };
+    nearest(paths, outside).map_or(f64::INFINITY, |centre| centre.distance(outside) - nose - wall)
 }
 
 fn worse(worst: &mut Worst, off: f64, at: Point) {

@@ -30,8 +30,8 @@ fn spanned(checked: &Checked<'_>, shape: &ShellShape) -> Vec<Diagnostic> {
             format!("The hollow of the former at {place} from the tip is a sharp corner (radius {})", length(0.0))
         };
         format!(
-            "{kind}; a nose of {} with its wall needs {}. The shell will have that radius inside and stand off the former by \
-             {}; the limit is {}.",
+            "{kind}; a nose of {} leaves a radius of {} inside at least. The shell will stand off the former by {} there; the \
+             limit is {}.",
             length(checked.shell.roller.nose_radius),
             length(hollow.shell_radius),
             length(hollow.stands_off),

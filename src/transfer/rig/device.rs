@@ -9,7 +9,7 @@ use crate::spinning::rig::{Rig, SimulatedRig, valve};
 /// Most set points that the device has room for.
 const MOST_POINTS: usize = 4096;
 
-/// A device that hears nothing for so long while it runs stops, s.
+/// A device that hears nothing for so long while it runs stops, s of the line's time.
 const SILENCE_S: f64 = 2.0;
 
 /// A table that is being sent.
@@ -29,6 +29,8 @@ pub struct Device {
     seeks_datum: bool,
     /// The run was stopped because nothing was heard.
     was_deaf: bool,
+    /// Longest silence in a run, s of the rig's time.
+    silence_s: f64,
     began_s: f64,
     heard_s: f64,
     line: Vec<u8>,
@@ -44,10 +46,17 @@ impl Device {
             run: None,
             seeks_datum: false,
             was_deaf: false,
+            silence_s: SILENCE_S,
             began_s: 0.0,
             heard_s: 0.0,
             line: Vec::new(),
         }
+    }
+
+    /// The same with a rig whose time passes `pace` times as fast as that of its line.
+    #[must_use]
+    pub fn at_pace(self, pace: f64) -> Self {
+        Self { silence_s: SILENCE_S * pace.max(1.0), ..self }
     }
 
     /// The rig, to look at or to break.
@@ -63,7 +72,7 @@ impl Device {
 
     /// One turn of the loop; false if nothing moves.
     fn turn(&mut self) -> bool {
-        let deaf = self.rig.time_s() - self.heard_s > SILENCE_S;
+        let deaf = self.rig.time_s() - self.heard_s > self.silence_s;
         if self.seeks_datum {
             self.draw_back(deaf);
             return true;

@@ -18,7 +18,7 @@ pub fn run_on_pty(device: Device, pace: f64, ready: impl FnOnce(String), cancel:
     // The slave stays open here, so that a program that closes the port does not hang the device up.
     let (master, slave) = TTYPort::pair().map_err(|_| "The system gives no pseudo-terminal.".to_owned())?;
     ready(slave.name().ok_or("The system does not name the pseudo-terminal.")?);
-    serve(&mut SerialLink::new(master), device, pace, cancel);
+    serve(&mut SerialLink::new(master), device.at_pace(pace), pace, cancel);
     drop(slave);
     Ok(())
 }

@@ -7,7 +7,7 @@ use crate::spinning::rig::{Fault, RigModel, SimulatedRig};
 use crate::transfer::link::{PipeEnd, pipe};
 use std::thread::JoinHandle;
 
-/// A device on a thread; every look at the line takes `pace` seconds of its time. With `damage` every so many bytes one is
+/// A device on a thread; `pace` seconds of its time pass with whatever it hears, none while it hears nothing. With `damage` every so many bytes one is
 /// changed on its way to the device.
 pub(in super::super) fn device(faults: Vec<Fault>, pace: f64, damage: Option<usize>) -> (PipeEnd, JoinHandle<Device>) {
     device_until(faults, pace, damage, Cancel::default())
@@ -38,7 +38,7 @@ pub(in super::super) fn device_until(
             while let (false, Ok(taken)) = (rest.is_empty(), line.write_some(rest, Duration::from_millis(50))) {
                 rest = &rest[taken..];
             }
-            device.advance(pace);
+            device.advance(if read > 0 { pace } else { 0.0 });
         }
         device
     });
