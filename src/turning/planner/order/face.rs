@@ -37,9 +37,6 @@ impl Order<'_> {
             return;
         };
         let Facing { cutter, left, to_r } = facing;
-        if setup.tailstock.is_some() {
-            self.diagnostics.push(faced_to_the_centre(over, to_r + cutter.nose));
-        }
         let Some(conditions) = self.conditions(OperationKind::Face, cutter.station) else { return };
         let most = if conditions.depth > 0.0 { conditions.depth } else { over };
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 1..=MOST_CUTS")]
@@ -59,6 +56,18 @@ impl Order<'_> {
             go(&mut path, Point::new(z + CLEARANCE_MM, above));
         }
         self.add(OperationKind::Face, &cutter, path);
+    }
+
+    /// Says what stub is left around the tailstock's centre when everything is done: a finer tool may have gone further down than
+    /// the one that faced.
+    pub(super) fn stub(&mut self, setup: &Setup) {
+        let end = self.work.end_z();
+        let over = end - setup.length;
+        let faced = self.operations.iter().any(|o| o.kind == OperationKind::Face);
+        if setup.tailstock.is_some() && faced && over > FACE_WORTH_MM {
+            let radius = self.work.stock.highest(setup.length + FACE_WORTH_MM, end);
+            self.diagnostics.push(faced_to_the_centre(over, radius));
+        }
     }
 
     /// The station of the tool that faces; 0 if none can.

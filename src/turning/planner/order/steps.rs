@@ -50,6 +50,7 @@ impl Order<'_> {
             }
         }
         self.left(contour);
+        self.stub(setup);
         self.missing(setup);
         if let Some(inside) = inside {
             inside.end(self, setup);
