@@ -59,9 +59,13 @@ impl Place {
 /// How far the middle of an arc may lie from where the path has it, mm: half of the control's smallest step.
 const OFF_MIDDLE_MM: f64 = 0.0005;
 
+/// How much larger than its own radius that of an arc may become: one that would need more is so short that the rounding of its
+/// ends decides.
+const MOST_CHANGE: f64 = 0.01;
+
 /// Radius of an arc of less than half a turn between rounded ends: that of the path, or where this would move the middle of the
 /// arc by more than the rounding of a number, the one that keeps the middle. With the height h of the middle over the chord c it
-/// is (c²/4 + h²) / 2h.
+/// is (c²/4 + h²) / 2h. It is never below the path's, which may be the least that the control takes.
 fn radius_over(start: Point, end: Point, center: Point, radius: f64) -> f64 {
     let half = start.distance(end) / 2.0;
     let outwards = (start - center).normalize() + (end - center).normalize();
@@ -69,7 +73,8 @@ fn radius_over(start: Point, end: Point, center: Point, radius: f64) -> f64 {
     let wanted = (middle - start).perp(&(end - start)).abs() / (2.0 * half);
     let kept = radius - ((radius - half) * (radius + half)).max(0.0).sqrt();
     let over = (half * half + wanted * wanted) / (2.0 * wanted);
-    if (wanted - kept).abs() > OFF_MIDDLE_MM && over.is_finite() { over } else { radius }
+    let near = (radius..=radius * (1.0 + MOST_CHANGE)).contains(&over);
+    if near && (wanted - kept).abs() > OFF_MIDDLE_MM { over } else { radius }
 }
 
 struct Writer {
