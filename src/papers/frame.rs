@@ -29,8 +29,31 @@ pub(super) struct Block {
     pub(super) name: String,
     /// Fields below the name.
     pub(super) upper: Vec<Field>,
-    /// Fields below these; empty ones are filled in by hand.
-    pub(super) lower: Vec<Field>,
+    /// Scale of its views: `2:1`.
+    pub(super) scale: String,
+    /// Number of the sheet, and how many there are.
+    pub(super) sheet: (usize, usize),
+}
+
+impl Field {
+    pub(super) fn new(name: &'static str, value: impl Into<String>) -> Self {
+        Self { name, value: value.into() }
+    }
+}
+
+impl Block {
+    /// Fields that every drawing has; empty ones are filled in by hand.
+    fn lower(&self, paper: Paper) -> Vec<Field> {
+        let (number, count) = self.sheet;
+        vec![
+            Field::new("Drawn", ""),
+            Field::new("Approved", ""),
+            Field::new("Date", ""),
+            Field::new("Scale", self.scale.as_str()),
+            Field::new("Paper", paper.name()),
+            Field::new("Sheet", format!("{number} of {count}")),
+        ]
+    }
 }
 
 /// A landscape page with its frame.
@@ -63,7 +86,7 @@ pub(super) fn title_block(page: &mut Page, paper: Paper, block: &Block) {
     page.heading(name_at, 4.0, fitted(&block.name, 4.0, BLOCK_WIDTH_MM - 50.0));
     let made_by = Point::new(inside.max.z - INSET_MM, name_at.r);
     page.ink_text(made_by, 2.0, Align::End, Ink::Grey, "Turnwright");
-    for (fields, top) in [(&block.upper, top - ROW_MM), (&block.lower, top - 2.0 * ROW_MM)] {
+    for (fields, top) in [(&block.upper, top - ROW_MM), (&block.lower(paper), top - 2.0 * ROW_MM)] {
         page.line(Point::new(min.z, top), Point::new(inside.max.z, top), Pen::THIN);
         row(page, Point::new(min.z, top), fields);
     }

@@ -1,7 +1,5 @@
 //! Facing between centres, up to the tailstock's centre: judged by the proof of the program's text.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
-
 use std::sync::Arc;
 use turnwright::cancel::Cancel;
 use turnwright::document::{Content, Document, Generator, Holding, OperationKind, TurnedPart};

@@ -1,7 +1,5 @@
 //! Deep holes are drilled in pecks on every control: judged by what its reader finds in the program's text.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
-
 use std::sync::Arc;
 use turnwright::cancel::Cancel;
 use turnwright::document::{Content, Document, Generator, TurnedPart};

@@ -1,14 +1,15 @@
 //! The planner against the published generator, and what it promises for the shipped examples: judged by the proof of the
 //! programs' text.
 
+use crate::support::planned::{bent, drawn, hundredths, is_named};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use std::sync::Arc;
 use turnwright::cancel::Cancel;
-use turnwright::diagnostic::{Diagnostic, Place};
+use turnwright::diagnostic::Diagnostic;
 use turnwright::document::{Content, Document, Generator, TurnedPart};
 use turnwright::machine::Catalog;
-use turnwright::part::{Section, SectionKind};
+use turnwright::part::Section;
 use turnwright::proof::ProofReport;
 use turnwright::regen::{Cache, Derived, regenerate};
 use turnwright::storage::{document_from_text, examples, examples_of};
@@ -44,12 +45,6 @@ fn blocks(derived: &Derived) -> usize {
 /// Mean leftover over the rows of the part, mm.
 fn mean_leftover(report: &ProofReport) -> f64 {
     report.leftover.iter().map(|l| l.mean_mm).sum::<f64>() / report.leftover.len() as f64
-}
-
-/// True if the planner said that something stays on a row.
-fn is_named(derived: &Derived, section: u32) -> bool {
-    let of_row = |at: &Place| matches!(at, Place::Section { id, .. } if *id == section);
-    derived.diagnostics.iter().any(|d| d.code == "not-reached" && of_row(&d.at))
 }
 
 #[test]
@@ -103,17 +98,11 @@ fn row() -> impl Strategy<Value = Row> {
 const MACHINES: [&str; 2] = ["orac", "linuxcnc"];
 
 fn part(machine: &str, rows: &[Row]) -> Document {
-    let hundredths = |v: f64| (v * 100.0).round() / 100.0;
     let mut z = 0.0;
     let mut sections = Vec::new();
     for (id, &(width, d1, d2, bend, share)) in (1..).zip(rows) {
         let (width, d1, d2) = (hundredths(width), hundredths(d1), hundredths(d2));
-        let radius = hundredths((width.hypot((d2 - d1) / 2.0) * share).max(2.0));
-        let kind = match bend {
-            1 => SectionKind::Concave { radius },
-            2 => SectionKind::Convex { radius },
-            _ => SectionKind::Line,
-        };
+        let kind = bent(bend, width, (d1, d2), share);
         sections.push(Section { kind, ..Section::line(id, z, d1, z + width, d2) });
         z = hundredths(z + width);
     }
@@ -140,14 +129,8 @@ fn promises_hold(machine: &str, rows: &[Row]) -> Result<(), TestCaseError> {
 }
 
 fn run(cases: u32, seed: u64) {
-    let config = ProptestConfig {
-        cases,
-        failure_persistence: None,
-        rng_seed: proptest::test_runner::RngSeed::Fixed(seed),
-        ..ProptestConfig::default()
-    };
     let parts = (proptest::sample::select(&MACHINES[..]), proptest::collection::vec(row(), 1..9));
-    TestRunner::new(config).run(&parts, |(machine, rows)| promises_hold(machine, &rows)).unwrap();
+    TestRunner::new(drawn(cases, seed)).run(&parts, |(machine, rows)| promises_hold(machine, &rows)).unwrap();
 }
 
 #[test]

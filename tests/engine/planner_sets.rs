@@ -1,18 +1,17 @@
 //! The planner with whatever tools a turret holds: random parts with bores on every shipped machine, with some of its tools only.
 //! Judged by the proof of the programs' text.
 
-#![allow(clippy::unwrap_used, reason = "a test may stop at what cannot be")]
-
+use crate::support::planned::{bent, drawn, hundredths, is_named};
 use proptest::prelude::*;
-use proptest::test_runner::{RngSeed, TestRunner};
+use proptest::test_runner::TestRunner;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 use turnwright::cancel::Cancel;
-use turnwright::diagnostic::{Diagnostic, Place, Severity};
+use turnwright::diagnostic::{Diagnostic, Severity};
 use turnwright::document::{Content, Document, Generator, TurnedPart};
 use turnwright::geometry::{Point, Segment};
 use turnwright::machine::{Catalog, TurretTool};
-use turnwright::part::{Section, SectionKind};
+use turnwright::part::Section;
 use turnwright::proof::{Leftover, Motion, ProofReport};
 use turnwright::regen::{Cache, Derived, SetupDerived, regenerate};
 use turnwright::turning::{CutMove, CutterPath};
@@ -64,10 +63,6 @@ fn case() -> impl Strategy<Value = Case> {
         .prop_map(|(machine, tools, outside, bore, facing)| Case { machine, tools, outside, bore, facing })
 }
 
-fn hundredths(v: f64) -> f64 {
-    (v * 100.0).round() / 100.0
-}
-
 /// Rows one behind the other up to `end`, between two diameters.
 fn sections(rows: &[Row], first: u32, end: f64, (least, most): (f64, f64)) -> Vec<Section> {
     let scale = end / rows.iter().map(|row| row.0).sum::<f64>();
@@ -77,12 +72,7 @@ fn sections(rows: &[Row], first: u32, end: f64, (least, most): (f64, f64)) -> Ve
     for (id, &(width, d1, d2, bend, share)) in (first..).zip(rows) {
         let to = hundredths(z + width * scale);
         let (d1, d2) = (diameter(d1), if bend == 3 { diameter(d1) } else { diameter(d2) });
-        let radius = hundredths(((to - z).hypot((d2 - d1) / 2.0) * share).max(2.0));
-        let kind = match bend {
-            1 => SectionKind::Concave { radius },
-            2 => SectionKind::Convex { radius },
-            _ => SectionKind::Line,
-        };
+        let kind = bent(bend, to - z, (d1, d2), share);
         sections.push(Section { kind, ..Section::line(id, z, d1, to, d2) });
         z = to;
     }
@@ -127,12 +117,6 @@ fn stations(machine: &str, stations: &[u32]) -> Vec<TurretTool> {
     tools.retain(|t| stations.contains(&t.station));
     assert_eq!(tools.len(), stations.len());
     tools
-}
-
-/// What the planner left and named by row; a set without a needed tool is named as a whole.
-fn is_named(derived: &Derived, section: u32) -> bool {
-    let of_row = |d: &Diagnostic| matches!(d.at, Place::Section { id, .. } if id == section);
-    derived.diagnostics.iter().any(|d| d.code == "not-reached" && of_row(d))
 }
 
 /// A way of the tool: rapid or not, along a segment.
@@ -228,13 +212,7 @@ fn is_refused(derived: &Derived) -> bool {
 /// One part and one set of tools for every seed, so that a failing one is found again by its number.
 fn run(seeds: RangeInclusive<u64>) {
     for seed in seeds {
-        let config = ProptestConfig {
-            cases: 1,
-            failure_persistence: None,
-            rng_seed: RngSeed::Fixed(seed),
-            ..ProptestConfig::default()
-        };
-        let ran = TestRunner::new(config).run(&case(), |case| promises_hold(&case));
+        let ran = TestRunner::new(drawn(1, seed)).run(&case(), |case| promises_hold(&case));
         assert!(ran.is_ok(), "seed {seed}: {}", ran.unwrap_err());
     }
 }

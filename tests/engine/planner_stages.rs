@@ -1,10 +1,10 @@
 //! The planner's stages beside turning outside: facing, bores, threads, parting off. Judged by the proof of the programs' text.
 
+use crate::support::planned::{bent, drawn, hundredths, is_named};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use std::sync::Arc;
 use turnwright::cancel::Cancel;
-use turnwright::diagnostic::{Diagnostic, Place};
 use turnwright::document::{Content, Document, Generator, Infeed, ProgramChoices, ThreadChoices, TurnedPart};
 use turnwright::machine::Catalog;
 use turnwright::part::{Section, SectionKind};
@@ -53,11 +53,6 @@ fn sleeve(machine: &str, bore: Vec<Section>) -> TurnedPart {
 
 fn kinds(derived: &Derived) -> Vec<OperationKind> {
     derived.setups[0].path.operations.iter().map(|o| o.kind).collect()
-}
-
-fn is_named(derived: &Derived, section: u32) -> bool {
-    let of_row = |d: &Diagnostic| matches!(d.at, Place::Section { id, .. } if id == section);
-    derived.diagnostics.iter().any(|d| d.code == "not-reached" && of_row(d))
 }
 
 /// The proof finds nothing wrong, and nothing is left that the planner did not name.
@@ -311,19 +306,13 @@ fn row() -> impl Strategy<Value = Row> {
 
 /// A part with a random bore, blind or through, in a bar or a tube.
 fn bored(rows: &[Row], machine: &str, blind: bool, hole: f64) -> TurnedPart {
-    let hundredths = |v: f64| (v * 100.0).round() / 100.0;
     let mut z = if blind { 6.0 } else { 0.0 };
     let mut bore = Vec::new();
     for (id, &(width, d1, d2, bend, share)) in (2..).zip(rows) {
         let (width, d1, d2) = (hundredths(width), hundredths(d1), hundredths(d2));
         // Every second row is a cylinder.
         let d2 = if bend == 3 { d1 } else { d2 };
-        let radius = hundredths((width.hypot((d2 - d1) / 2.0) * share).max(2.0));
-        let kind = match bend {
-            1 => SectionKind::Concave { radius },
-            2 => SectionKind::Convex { radius },
-            _ => SectionKind::Line,
-        };
+        let kind = bent(bend, width, (d1, d2), share);
         bore.push(Section { kind, ..Section::line(id, z, d1, z + width, d2) });
         z = hundredths(z + width);
     }
@@ -352,15 +341,9 @@ fn promises_hold(rows: &[Row], machine: &str, blind: bool, hole: f64) -> Result<
 }
 
 fn run(cases: u32, seed: u64) {
-    let config = ProptestConfig {
-        cases,
-        failure_persistence: None,
-        rng_seed: proptest::test_runner::RngSeed::Fixed(seed),
-        ..ProptestConfig::default()
-    };
     let hole = prop_oneof![2 => Just(0.0), 1 => (12.0..16.0_f64).prop_map(f64::round)];
     let parts = (proptest::collection::vec(row(), 1..6), 0..MACHINES.len(), any::<bool>(), hole);
-    TestRunner::new(config)
+    TestRunner::new(drawn(cases, seed))
         .run(&parts, |(rows, m, blind, hole)| promises_hold(&rows, MACHINES[m], blind, hole))
         .unwrap();
 }

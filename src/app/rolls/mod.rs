@@ -23,6 +23,9 @@ use crate::document::{Content, Document, RollKind, RollRef, RollSet, Station};
 use crate::session::Session;
 use egui::Ui;
 
+/// Strength of a plot of an older document.
+const STALE: f32 = 0.5;
+
 /// What the panels keep.
 #[derive(Debug, Default)]
 pub(crate) struct RollsViews {

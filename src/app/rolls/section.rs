@@ -17,9 +17,6 @@ pub(super) struct SectionView {
     canvas: CanvasView,
 }
 
-/// Strength of a plot of an older document.
-const STALE: f32 = 0.5;
-
 /// Shows the panel; true if it is dragged by its title.
 pub(super) fn show(
     ui: &mut Ui,
@@ -48,7 +45,7 @@ pub(super) fn show(
         ui.label(theme::quiet("There is no element yet. Add one in the table of elements.", colors));
         return dragged;
     };
-    ui.set_opacity(if session.is_designed() { 1.0 } else { STALE });
+    ui.set_opacity(if session.is_designed() { 1.0 } else { super::STALE });
     let palette = Palette::of(ui.visuals());
     let scene = SectionScene {
         strip: &finished.strip,

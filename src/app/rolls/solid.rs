@@ -56,7 +56,8 @@ pub(super) struct RoundView {
 /// Shows the panel; true if it is dragged by its title.
 pub(super) fn show(ui: &mut Ui, titled: bool, session: &Session, views: &mut RollsViews) -> bool {
     let view = &mut views.solid;
-    let dragged = title_row(ui, titled.then_some("3D"), "", |ui| {
+    let remark = if view.shown == Shown::Line { "a long line is drawn shorter" } else { "" };
+    let dragged = title_row(ui, titled.then_some("3D"), remark, |ui| {
         for (which, name) in ALL {
             let mut on = view.shown == which;
             if toggle(ui, &mut on, name).clicked() {

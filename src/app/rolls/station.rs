@@ -9,9 +9,6 @@ use crate::rollform::{Roll, StationDesign};
 use crate::session::Session;
 use egui::Ui;
 
-/// Strength of a plot of an older document.
-const STALE: f32 = 0.5;
-
 /// Shows the panel; true if it is dragged by its title.
 pub(super) fn show(
     ui: &mut Ui,
@@ -42,7 +39,7 @@ pub(super) fn show(
         ui.label(theme::quiet("There is no strip to show at this station yet; see the problems.", colors));
         return dragged;
     };
-    ui.set_opacity(if session.is_designed() { 1.0 } else { STALE });
+    ui.set_opacity(if session.is_designed() { 1.0 } else { super::STALE });
     let palette = Palette::of(ui.visuals());
     let scene = StationScene {
         station,

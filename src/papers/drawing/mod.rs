@@ -70,7 +70,7 @@ fn sheets(subject: &Subject<'_>, paper: Paper, scale: Option<f64>, least: f64) -
     let count = 1 + pairs.len();
     let sheet = |number: usize, scale: &str| {
         let mut page = frame::framed(paper, &subject.document.name);
-        frame::title_block(&mut page, paper, &block(subject, scale, paper, (number, count)));
+        frame::title_block(&mut page, paper, &block(subject, scale, (number, count)));
         page
     };
     let mut main = Page { part: Some(layout.view()), ..sheet(1, &scale.name()) };
@@ -161,29 +161,22 @@ fn nothing_fits(subject: &Subject<'_>) -> Diagnostic {
     Diagnostic::error("drawing-scale", Place::Document, message).with_hint("Choose a larger paper.")
 }
 
-fn block(subject: &Subject<'_>, scale: &str, paper: Paper, (number_of, count): (usize, usize)) -> Block {
+fn block(subject: &Subject<'_>, scale: &str, sheet: (usize, usize)) -> Block {
     let (unit, part) = (subject.document.unit, subject.part);
     let length = |value: f64| number(value * unit.in_mm(), unit);
     let stock = match part.stock_bore_diameter {
         hole if hole > 0.0 => format!("tube Ø {} / Ø {}", length(part.bar_diameter), length(hole)),
         _ => format!("bar Ø {}", length(part.bar_diameter)),
     };
-    let field = |name: &'static str, value: String| Field { name, value };
     Block {
         name: subject.document.name.clone(),
         upper: vec![
-            field("Material", part.material.clone()),
-            field("Stock", stock),
-            field("Form tolerance", format!("± {}", length(part.form_tolerance))),
-            field("Dimensions in", unit.symbol().to_owned()),
+            Field::new("Material", part.material.clone()),
+            Field::new("Stock", stock),
+            Field::new("Form tolerance", format!("± {}", length(part.form_tolerance))),
+            Field::new("Dimensions in", unit.symbol().to_owned()),
         ],
-        lower: vec![
-            field("Drawn", String::new()),
-            field("Approved", String::new()),
-            field("Date", String::new()),
-            field("Scale", scale.to_owned()),
-            field("Paper", paper.name().to_owned()),
-            field("Sheet", format!("{number_of} of {count}")),
-        ],
+        scale: scale.to_owned(),
+        sheet,
     }
 }

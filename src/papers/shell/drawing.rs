@@ -40,7 +40,7 @@ pub(in crate::papers) fn drawing(derived: &Derived, choice: DrawingChoice) -> Re
     let (paper, scale) = fitted(bounds, choice)?;
     let view = placed(bounds, paper, scale);
     let mut page = frame::framed(paper, &subject.document.name);
-    frame::title_block(&mut page, paper, &block(&subject, &scale.name(), paper));
+    frame::title_block(&mut page, paper, &block(&subject, &scale.name()));
     let walls = walls(&subject);
     section(&mut page, &subject, &view);
     dimensions(&mut page, &subject, &view, bounds);
@@ -100,9 +100,8 @@ fn placed(bounds: Bounds, paper: Paper, scale: Scale) -> View {
     View { origin: Point::new(middle.z - of_shell * scale.factor, middle.r), scale: scale.factor }
 }
 
-fn block(subject: &Subject<'_>, scale: &str, paper: Paper) -> Block {
+fn block(subject: &Subject<'_>, scale: &str) -> Block {
     let shell = subject.shell();
-    let field = |name: &'static str, value: String| Field { name, value };
     let blank = format!(
         "disc Ø {} × {}",
         subject.figure(2.0 * subject.made.shape.blank_radius),
@@ -111,19 +110,13 @@ fn block(subject: &Subject<'_>, scale: &str, paper: Paper) -> Block {
     Block {
         name: subject.document.name.clone(),
         upper: vec![
-            field("Material", shell.material.clone()),
-            field("Blank", blank),
-            field("Tolerance of the gap", format!("± {}", subject.figure(shell.gap_tolerance))),
-            field("Dimensions in", subject.unit().symbol().to_owned()),
+            Field::new("Material", shell.material.clone()),
+            Field::new("Blank", blank),
+            Field::new("Tolerance of the gap", format!("± {}", subject.figure(shell.gap_tolerance))),
+            Field::new("Dimensions in", subject.unit().symbol().to_owned()),
         ],
-        lower: vec![
-            field("Drawn", String::new()),
-            field("Approved", String::new()),
-            field("Date", String::new()),
-            field("Scale", scale.to_owned()),
-            field("Paper", paper.name().to_owned()),
-            field("Sheet", "1 of 1".to_owned()),
-        ],
+        scale: scale.to_owned(),
+        sheet: (1, 1),
     }
 }
 

@@ -55,34 +55,27 @@ impl<'a> Subject<'a> {
     }
 
     /// What the title block says.
-    fn block(&self, name: String, scale: &str, paper: Paper, sheet: (usize, usize)) -> Block {
+    fn block(&self, name: String, scale: &str, sheet: (usize, usize)) -> Block {
         let in_mm = self.unit().in_mm();
         let section = &self.set.section;
         let width = developed(section, section.developed_width).width * in_mm;
-        let field = |name: &'static str, value: String| Field { name, value };
         Block {
             name,
             upper: vec![
-                field("Material", self.set.strip.name.clone()),
-                field("Thickness", self.length(section.thickness * in_mm)),
-                field("Strip width", format!("{} ({})", self.length(width), method(section.developed_width))),
-                field("Dimensions in", self.unit().symbol().to_owned()),
+                Field::new("Material", self.set.strip.name.clone()),
+                Field::new("Thickness", self.length(section.thickness * in_mm)),
+                Field::new("Strip width", format!("{} ({})", self.length(width), method(section.developed_width))),
+                Field::new("Dimensions in", self.unit().symbol().to_owned()),
             ],
-            lower: vec![
-                field("Drawn", String::new()),
-                field("Approved", String::new()),
-                field("Date", String::new()),
-                field("Scale", scale.to_owned()),
-                field("Paper", paper.name().to_owned()),
-                field("Sheet", format!("{} of {}", sheet.0, sheet.1)),
-            ],
+            scale: scale.to_owned(),
+            sheet,
         }
     }
 
     /// A page with frame and title block.
     fn page(&self, name: String, scale: &str, paper: Paper, sheet: (usize, usize)) -> Page {
         let mut page = frame::framed(paper, &name);
-        frame::title_block(&mut page, paper, &self.block(name, scale, paper, sheet));
+        frame::title_block(&mut page, paper, &self.block(name, scale, sheet));
         page
     }
 }

@@ -144,13 +144,18 @@ impl<L: Link> Host<L> {
         self.told(&Frame::of('Z', &[]))
     }
 
-    /// Stops at once, and takes what interrupted the calls before as heard.
+    /// Stops at once, and takes what interrupted the calls before as heard; asked for again meanwhile, it is sent again.
     ///
     /// # Errors
     /// The line fails; the device stops by itself when it hears nothing.
     pub fn emergency_stop(&mut self) -> Result<(), HostError> {
-        self.hurry.store(false, Ordering::SeqCst);
-        self.told(&Frame::of('X', &[]))
+        loop {
+            self.hurry.store(false, Ordering::SeqCst);
+            match self.told(&Frame::of('X', &[])) {
+                Err(HostError::Interrupted) => {}
+                answered => return answered,
+            }
+        }
     }
 
     /// Asks why the last run stopped.

@@ -7,7 +7,7 @@ use crate::transfer::link::Link;
 use crate::transfer::ports::{Opened, Port, open};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{self, Receiver, Sender};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -120,15 +120,34 @@ fn serve(
     let mut host = Host::connect_until(link, Arc::clone(hurry)).map_err(|e| e.to_string())?;
     tell(RigEvent::Ready(remarks));
     to_datum(&mut host, tell).map_err(|e| e.to_string())?;
-    while let Ok(order) = orders.recv() {
-        match order {
-            Order::Datum => to_datum(&mut host, tell).map_err(|e| e.to_string())?,
-            Order::Run(plan) => run(&mut host, &plan, tell).map_err(|e| {
+    loop {
+        match orders.recv_timeout(LOOK) {
+            Ok(Order::Datum) => to_datum(&mut host, tell).map_err(|e| e.to_string())?,
+            Ok(Order::Run(plan)) => run(&mut host, &plan, tell).map_err(|e| {
                 format!("{e} The rig stops by itself after 2 s without a word; look at it before you touch it.")
             })?,
+            Err(RecvTimeoutError::Timeout) if hurry.load(Ordering::SeqCst) => {
+                stop_between_runs(&mut host, tell).map_err(|e| e.to_string())?;
+            }
+            Err(RecvTimeoutError::Timeout) => {}
+            Err(RecvTimeoutError::Disconnected) => return Ok(()),
         }
     }
-    Ok(())
+}
+
+/// Lathe and pump are switched off at once, though nothing runs.
+fn stop_between_runs(host: &mut RigHost, tell: &dyn Fn(RigEvent) -> bool) -> Result<(), HostError> {
+    loop {
+        host.emergency_stop()?;
+        match host.position() {
+            Err(HostError::Interrupted) => {}
+            at => {
+                let drawn_back = at?.state != 'N';
+                tell(RigEvent::Stopped { reason: HostError::Interrupted.to_string(), drawn_back });
+                return Ok(());
+            }
+        }
+    }
 }
 
 fn to_datum(host: &mut RigHost, tell: &dyn Fn(RigEvent) -> bool) -> Result<(), HostError> {

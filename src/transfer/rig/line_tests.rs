@@ -87,6 +87,30 @@ fn emergency_stop_over_the_line_draws_back_and_switches_off() {
 }
 
 #[test]
+fn emergency_stop_reaches_a_rig_on_which_nothing_runs() {
+    let (link, thread) = device(Vec::new(), 0.05, None);
+    let mut bench = Bench::new(link);
+    bench.until(|e| *e == RigEvent::AtDatum);
+    // Pressed again and again.
+    (0..50).for_each(|_| {
+        bench.line.emergency_stop();
+        thread::sleep(Duration::from_millis(1));
+    });
+    let reason = "Emergency stop by the operator.".to_owned();
+    assert_eq!(bench.end(), RemoteEnd::Stopped { reason, drawn_back: true });
+    // When the last one is through, it is set up again.
+    thread::sleep(Duration::from_millis(200));
+    let told: Vec<RigEvent> = bench.line.events().collect();
+    assert!(told.iter().all(|e| matches!(e, RigEvent::Stopped { .. })), "{told:?}");
+    bench.line.seek_datum();
+    bench.until(|e| matches!(e, RigEvent::AtDatum | RigEvent::Stopped { .. } | RigEvent::Lost(_)));
+    assert_eq!(bench.seen.last(), Some(&RigEvent::AtDatum));
+    drop(bench);
+    let mut device = thread.join().unwrap();
+    assert!(!device.rig_mut().lathe_is_on());
+}
+
+#[test]
 fn the_reason_of_a_stop_comes_with_value_and_limit() {
     // A roller that runs away is seen by its place or by its creeping, whichever comes first.
     let expected = [

@@ -27,6 +27,9 @@ const PATIENT: Timing =
 const SHORT: Timing =
     Timing { first: Duration::from_millis(300), idle: Duration::from_millis(300), stuck: Duration::from_millis(300) };
 
+/// For controls that begin to answer, however late, and break off.
+const BROKEN_OFF: Timing = Timing { first: PATIENT.first, ..SHORT };
+
 fn send(text: String, verify: bool) -> Task {
     Task::Send { name: "TEST1".to_owned(), text, verify }
 }

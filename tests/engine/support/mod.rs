@@ -1,5 +1,7 @@
 //! Parts to generate programs for.
 
+pub(crate) mod planned;
+
 use turnwright::document::{Content, TurnedPart};
 use turnwright::geometry::Point;
 use turnwright::machine::{Catalog, Machine};
@@ -25,7 +27,6 @@ pub(crate) fn master() -> Part {
 }
 
 /// Every clamping of every shipped example for the ORAC, by name.
-#[allow(dead_code, reason = "not every test file needs it")]
 pub(crate) fn all_examples() -> Vec<(&'static str, Vec<Part>)> {
     let clampings = |name| {
         let part = example(name);
@@ -53,7 +54,6 @@ fn clamped(part: TurnedPart) -> Part {
 }
 
 /// A part of tapers: radius at both ends and width of each, mm; faces between them.
-#[allow(dead_code, reason = "not every test file needs it")]
 pub(crate) fn stepped(tapers: &[(f64, f64, f64)]) -> Part {
     let mut z = 0.0;
     let mut sections = Vec::new();
@@ -65,7 +65,6 @@ pub(crate) fn stepped(tapers: &[(f64, f64, f64)]) -> Part {
 }
 
 /// Corners of a part without curves.
-#[allow(dead_code, reason = "not every test file needs it")]
 pub(crate) fn corners(setup: &Setup) -> Vec<Point> {
     let ends = setup.profile.pieces.iter().filter_map(|p| match p.curve {
         Curve::Segment(segment) => Some([segment.start(), segment.end()]),

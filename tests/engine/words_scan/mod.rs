@@ -1,7 +1,5 @@
 //! A scanner of word-address blocks that shares nothing with the program: letters and numbers, comments left out.
 
-#![allow(dead_code, reason = "not every test file needs all of it")]
-
 pub(crate) mod listing;
 pub(crate) mod paths;
 pub(crate) mod read;

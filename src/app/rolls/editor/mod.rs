@@ -19,9 +19,6 @@ use form::Draft;
 
 /// Width of the column with form and list, points.
 const COLUMN: f32 = 258.0;
-/// Strength of a plot of an older document.
-const STALE: f32 = 0.5;
-
 /// What the panel keeps.
 #[derive(Debug, Default)]
 pub(super) struct EditorView {
@@ -70,7 +67,7 @@ pub(super) fn show(
     ui.horizontal_top(|ui| {
         let room = ui.available_size();
         ui.allocate_ui(vec2((room.x - COLUMN - 12.0).max(120.0), room.y), |ui| {
-            ui.set_opacity(if session.is_designed() { 1.0 } else { STALE });
+            ui.set_opacity(if session.is_designed() { 1.0 } else { super::STALE });
             plot(ui, view, roll, preview, document.unit, requests);
         });
         ui.allocate_ui(vec2(COLUMN, room.y), |ui| {
