@@ -142,27 +142,53 @@ fn read_back(proof: &ProofReport) -> Vec<Step> {
     moves.map(|m| (m.motion == Motion::Rapid, m.path)).collect()
 }
 
+fn near(a: Point, b: Point) -> bool {
+    a.distance(b) <= READ_BACK_MM
+}
+
 /// The first move of the path that the program's text does not make, and what it makes instead. Rapid moves of the text between
 /// operations are its own, and an arc may be several of its moves.
 fn first_lost(wanted: &[Step], made: &[Step]) -> Option<(Step, Option<Step>)> {
-    let near = |a: Point, b: Point| a.distance(b) <= READ_BACK_MM;
-    let on = |way: &Segment, made: &Segment| {
-        [0.5, 1.0].map(|share| made.point_at(share)).iter().all(|p| way.distance_to(*p) <= READ_BACK_MM)
-    };
     let mut rest = made;
     for &(rapid, way) in wanted {
-        if rapid {
-            let skipped = rest.iter().take_while(|m| m.0 && !near(m.1.end(), way.end())).count();
-            rest = rest.get(skipped..).unwrap_or_default();
-        }
-        let mut parts = rest.iter().take_while(|m| m.0 == rapid && (rapid || on(&way, &m.1)));
-        match parts.position(|m| near(m.1.end(), way.end())) {
-            Some(count) => rest = rest.get(count + 1..).unwrap_or_default(),
+        let done = if rapid { after_rapid(rest, &way) } else { after_cut(rest, &way) };
+        match done {
+            Some(later) => rest = later,
             None if way.length() <= NO_MOVE_MM + READ_BACK_MM => {}
             None => return Some(((rapid, way), rest.first().copied())),
         }
     }
     rest.iter().find(|m| !m.0).map(|m| (*m, None))
+}
+
+/// What comes after the rapid move that ends where one of the path does.
+fn after_rapid<'a>(made: &'a [Step], way: &Segment) -> Option<&'a [Step]> {
+    let there = made.iter().take_while(|m| m.0).position(|m| near(m.1.end(), way.end()))?;
+    made.get(there + 1..)
+}
+
+/// What comes after the moves that make a cut of the path.
+fn after_cut<'a>(mut made: &'a [Step], way: &Segment) -> Option<&'a [Step]> {
+    let on = |made: &Segment| {
+        [0.5, 1.0].map(|share| made.point_at(share)).iter().all(|p| way.distance_to(*p) <= READ_BACK_MM)
+    };
+    loop {
+        let ((rapid, part), later) = after_return(made).split_first()?;
+        if *rapid || !on(part) {
+            return None;
+        }
+        if near(part.end(), way.end()) {
+            return Some(later);
+        }
+        made = later;
+    }
+}
+
+/// What comes after rapid moves that bring the tool back to where it was: a text too long for one program is divided anywhere.
+fn after_return(made: &[Step]) -> &[Step] {
+    let back = |start: Point| made.iter().take_while(|m| m.0).position(|m| near(m.1.end(), start));
+    let later = made.first().and_then(|m| back(m.1.start())).and_then(|k| made.get(k + 1..));
+    later.unwrap_or(made)
 }
 
 fn derived(part: TurnedPart, turret: Vec<TurretTool>) -> Derived {

@@ -34,6 +34,9 @@ const SQUARE_DEG: f64 = 90.0;
 /// A chip whose width was measured counts as this much wider: short moves are rounded.
 const WIDER: f64 = 1.05;
 
+/// What a cut may need counts as so much more: its words of speed and feed are rounded, up too.
+const SPARED: f64 = 1.01;
+
 /// How the speed follows the radius.
 #[derive(Debug, Clone, PartialEq)]
 enum Turning {
@@ -182,7 +185,8 @@ impl Conditions {
         let (Some(power), Feed::PerRev(feed_mm_per_rev)) = (&self.power, cut.feed) else { return cut };
         let rpm = cut.rpm_at(radius);
         let speed = std::f64::consts::TAU * radius.abs() * rpm / 1000.0;
-        let chip = Chip { depth_mm: power.width.max(WIDER * width), feed_mm_per_rev, approach_deg: SQUARE_DEG };
+        let depth_mm = SPARED * power.width.max(WIDER * width);
+        let chip = Chip { depth_mm, feed_mm_per_rev, approach_deg: SQUARE_DEG };
         Cut { feed: Feed::PerRev(power.spindle.feed_within_power(&power.material, chip, speed, rpm)), ..cut }
     }
 

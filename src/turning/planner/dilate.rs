@@ -7,13 +7,15 @@
 //! This is what planning costs. The body is a few concave stretches. Of a concave stretch that is put on two places of a surface the
 //! one put further on the right is, once it is the higher one, the higher one for good; so the limit is made like a stack, piece by
 //! piece along the surface, and what a piece hides of those before it is taken off the end ([`Front`]): nobody looks at two pieces
-//! that are far apart. Ways and strokes say where they look and above which height, and what cannot reach there is left out
+//! that are far apart. What a further stretch, of a holder mostly, cannot lift above what the stretches before it gave is not even
+//! rolled along ([`Lows`]). Ways and strokes say where they look and above which height, and what cannot reach there is left out
 //! ([`Shape::over_within`]).
 //!
 //! A surface without overhang is met from above by the lower side of insert and holder only, and a point that the lower side
 //! keeps clear of is clear of the whole tool; so functions of z say all.
 
 use super::chain::{Chain, EQUAL_MM};
+use super::lows::Lows;
 use super::piece::{Piece, SAME_MM};
 use super::rolling::{Way, Window};
 use super::shape::{Concave, Shape};
@@ -41,8 +43,16 @@ impl Shape {
 
     fn rolled_along(&self, surface: &Chain, window: Window, above: f64) -> Chain {
         let ways: Vec<Way> = self.reached(surface, window).map(Way::of).collect();
-        let fronts = self.parts.iter().map(|part| part.over(&ways, window, above));
-        fronts.filter(|front| !front.pieces.is_empty()).reduce(|a, b| a.max(&b)).unwrap_or_default()
+        let mut limit = Chain::default();
+        for part in &self.parts {
+            let front = part.over(&ways, window, above, Lows::of(&limit));
+            if limit.pieces.is_empty() {
+                limit = front;
+            } else if !front.pieces.is_empty() {
+                limit = limit.max(&front);
+            }
+        }
+        limit
     }
 
     /// The pieces on which the shape reaches into a window.
@@ -61,12 +71,15 @@ impl Shape {
 }
 
 impl Concave {
-    /// The stretch rolled along what it reaches from.
-    fn over(&self, ways: &[Way], window: Window, above: f64) -> Chain {
+    /// The stretch rolled along what it reaches from, but for what cannot rise above `lows`.
+    fn over(&self, ways: &[Way], window: Window, above: f64, mut lows: Lows) -> Chain {
         let mut front = Front::default();
         let mut rolled = Vec::with_capacity(self.edges.len() + 2);
         for way in ways {
-            if way.top + self.top > above && way.z0() + self.z0() < window.z1 && way.z1() + self.z1() > window.z0 {
+            let (z0, z1) = (way.z0() + self.z0(), way.z1() + self.z1());
+            let top = way.top + self.top;
+            if top > above && z0 < window.z1 && z1 > window.z0 && top > lows.least(z0.max(window.z0), z1.min(window.z1))
+            {
                 self.roll(way, window, &mut rolled);
                 front.add(&rolled);
             }

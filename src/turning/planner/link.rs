@@ -5,6 +5,7 @@ use super::path::Path;
 use super::piece::{Piece, SAME_MM};
 use super::work::AIR_MM;
 use crate::geometry::{Point, Vector};
+use std::cell::LazyCell;
 
 /// Height that a tool keeps above the stock on its way, mm.
 pub(super) const CLEARANCE_MM: f64 = 0.5;
@@ -34,12 +35,13 @@ pub(super) fn go(path: &mut Path<'_>, to: Point) {
     let (low, high) = (from.z.min(to.z), from.z.max(to.z));
     let lean = LEAN * (path.ceiling - from.r).max(0.0);
     let air = path.air(low - BESIDE_MM, high + lean + BESIDE_MM, from.r.min(to.r) - BESIDE_MM);
-    let hanging = path.has_hanging(low - BESIDE_MM, high + lean + BESIDE_MM);
-    let without =
-        hanging.then(|| path.air_here(low - BESIDE_MM, high + lean + BESIDE_MM, from.r.min(to.r) - BESIDE_MM));
-    let here = without.as_ref().unwrap_or(&air);
-    let Some(way) = ways(from, to, &air, lean, path.taper).into_iter().find(|way| all_clear(path, way, &air, here))
-    else {
+    let here = LazyCell::new(|| {
+        let hanging = path.has_hanging(low - BESIDE_MM, high + lean + BESIDE_MM);
+        hanging.then(|| path.air_here(low - BESIDE_MM, high + lean + BESIDE_MM, from.r.min(to.r) - BESIDE_MM))
+    });
+    let leaves = |to: Point| leaves(path, to, &air) || here.as_ref().is_some_and(|here| leaves(path, to, here));
+    let found = ways(from, to, &air, lean, path.taper).into_iter().find(|way| all_clear(path, way, &air, leaves));
+    let Some(way) = found else {
         return over_everything(path, to, &air);
     };
     for place in way {
@@ -72,13 +74,14 @@ fn can_go(from: Point, to: Point, taper: f64) -> bool {
     least <= AXIS_PARALLEL_MM || dz.max(dr) < least * taper
 }
 
-fn all_clear(path: &Path<'_>, way: &[Point], air: &Chain, here: &Chain) -> bool {
+/// True if a way is free, the first part of which `leaves` the place where the tool is.
+fn all_clear(path: &Path<'_>, way: &[Point], air: &Chain, leaves: impl Fn(Point) -> bool) -> bool {
     let corners: Vec<Point> = std::iter::once(path.at).chain(way.iter().copied()).collect();
     corners.windows(2).enumerate().all(|(k, w)| {
         if !can_go(w[0], w[1], path.taper) {
             return false;
         }
-        if k == 0 { leaves(path, w[1], here) } else { is_free(w[0], w[1], air) && is_apart(w[0], w[1], air, false) }
+        if k == 0 { leaves(w[1]) } else { is_free(w[0], w[1], air) && is_apart(w[0], w[1], air, false) }
     })
 }
 

@@ -8,7 +8,7 @@
 //! | file | duty |
 //! |---|---|
 //! | `piece`, `chain` | functions of z: values, the larger of two, where one is above the other |
-//! | `outline`, `shape`, `rolling`, `dilate` | outlines of tools turned over and rolled along functions |
+//! | `outline`, `shape`, `rolling`, `lows`, `dilate` | outlines of tools turned over and rolled along functions |
 //! | `tool`, `guard`, `work` | what a tool is for, what of it must not meet stock; contour, jaws, stock, limits |
 //! | `hanging` | stock that hangs over what was cut |
 //! | `trace`, `corner`, `path`, `link` | limits as paths that a control can take; moves; ways through air |
@@ -32,6 +32,7 @@ mod hand;
 mod hanging;
 mod left;
 mod link;
+mod lows;
 mod order;
 mod outline;
 mod path;

@@ -180,10 +180,10 @@ impl<'a> Order<'a> {
         let rolled = cutter.nose + conditions.allowance;
         let rough = Rough { limit: &limit, top: work.top(), depth, rolled, rules: self.rules, room: usize::MAX };
         let mut path = self.path(&conditions, cutter);
-        rough.cut(&mut path);
+        rough.cut(&mut path, self.room());
         if path.len() + MOVES_HOME > self.room() {
             path = self.path(&conditions, cutter);
-            Rough { room: self.room(), ..rough }.cut(&mut path);
+            Rough { room: self.room(), ..rough }.cut(&mut path, usize::MAX);
         }
         Follow { cutter, limit: &limit, allowance: conditions.allowance, worth, rules: self.rules }.cut(&mut path);
         self.add(kind, cutter, path);

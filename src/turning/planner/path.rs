@@ -88,15 +88,29 @@ impl<'a> Path<'a> {
 
     /// Cutting, straight to `to`.
     pub(super) fn line(&mut self, to: Point) {
+        if self.at.distance(to) < NO_MOVE_MM {
+            return;
+        }
         let segment = Segment::line(self.at, to);
-        self.line_at(to, self.conditions.cut(self.at.r, to.r, self.chip_width(&segment)));
+        let low = self.swept(&segment);
+        let cut = self.conditions.cut(self.at.r, to.r, self.chip_width(&segment, low.as_ref()));
+        self.push_line(to, cut);
+        self.take(&segment, low);
+        self.at = to;
     }
 
     /// Cutting, straight to `to`, with a feed and speed of its own.
     pub(super) fn line_at(&mut self, to: Point, cut: Cut) {
-        if self.at.distance(to) < NO_MOVE_MM {
-            return;
+        if self.at.distance(to) >= NO_MOVE_MM {
+            let segment = Segment::line(self.at, to);
+            self.push_line(to, cut);
+            self.take(&segment, self.swept(&segment));
+            self.at = to;
         }
+    }
+
+    /// Goes on with a line that the last move makes, or makes a new one.
+    fn push_line(&mut self, to: Point, cut: Cut) {
         let end = self.seen(to);
         match (self.moves.last_mut(), self.last.as_mut()) {
             (Some(CutMove::Line { to: before, cut: same }), Some(Segment::Line { start, end: last }))
@@ -109,8 +123,6 @@ impl<'a> Path<'a> {
                 self.last = Some(Segment::line(self.at, to));
             }
         }
-        self.take(&Segment::line(self.at, to));
-        self.at = to;
     }
 
     /// Cutting, along a segment that begins where the tool is.
@@ -119,10 +131,11 @@ impl<'a> Path<'a> {
             Segment::Line { end, .. } => self.line(end),
             Segment::Arc { start, end, center, ccw } => {
                 if start.distance(end) >= NO_MOVE_MM {
-                    let cut = self.conditions.cut(start.r, end.r, self.chip_width(segment));
+                    let low = self.swept(segment);
+                    let cut = self.conditions.cut(start.r, end.r, self.chip_width(segment, low.as_ref()));
                     self.push(CutMove::Arc { to: end, center, ccw, cut });
                     self.last = Some(*segment);
-                    self.take(segment);
+                    self.take(segment, low);
                     self.at = end;
                 }
             }
@@ -173,22 +186,25 @@ impl<'a> Path<'a> {
         if self.cutter.turned { p.mirrored_at_z(0.0) } else { p }
     }
 
-    /// Takes away what the insert covers.
-    fn take(&mut self, segment: &Segment) {
-        if self.meets(segment) {
-            self.work.take(self.cutter, segment);
+    /// What the insert leaves below it along a segment, if there may be stock on the way.
+    fn swept(&self, segment: &Segment) -> Option<Chain> {
+        self.meets(segment).then(|| left_along(&self.cutter.edge, segment))
+    }
+
+    /// Takes away what the insert covers along a segment, and leaves what is [`Path::swept`].
+    fn take(&mut self, segment: &Segment, swept: Option<Chain>) {
+        if let Some(low) = swept {
+            self.work.take(self.cutter, segment, &low);
         }
     }
 
     /// Mean width of the chip along a segment, mm, where the spindle's power asks for it.
-    fn chip_width(&self, segment: &Segment) -> f64 {
-        if !self.conditions.knows_power() || !self.meets(segment) {
-            return 0.0;
-        }
+    fn chip_width(&self, segment: &Segment, swept: Option<&Chain>) -> f64 {
+        let Some(low) = swept.filter(|_| self.conditions.knows_power()) else { return 0.0 };
         let bounds = segment.bounds();
         let (z0, z1) = self.window(bounds.min.z, bounds.max.z);
         let stock = higher(&self.work.stock, z0, z1, bounds.min.r + self.cutter.low);
-        stock.area_over(&left_along(&self.cutter.edge, segment)) / segment.length().max(NO_MOVE_MM)
+        stock.area_over(low) / segment.length().max(NO_MOVE_MM)
     }
 
     /// True if there may be stock on the way along a segment.

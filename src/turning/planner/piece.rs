@@ -147,8 +147,25 @@ impl Piece {
         }
     }
 
+    /// True if one stays above the other between two positions, by what their ends and bends tell: where the difference bends
+    /// downwards only, it is nowhere less than at its ends.
+    fn is_apart(&self, other: &Self, z0: f64, z1: f64) -> bool {
+        let bends = |piece: &Self| match piece.form {
+            Form::Line { .. } => (true, true),
+            Form::Arc { upper, .. } => (upper, !upper),
+        };
+        let ((down, up), (other_down, other_up)) = (bends(self), bends(other));
+        let by = |z: f64| self.at(z) - other.at(z);
+        (down && other_up && by(z0) > 0.0 && by(z1) > 0.0) || (up && other_down && by(z0) < 0.0 && by(z1) < 0.0)
+    }
+
     /// Positions strictly inside both pieces where they meet, at most two, in order.
     pub(super) fn meets(&self, other: &Self) -> Meeting {
+        let (z0, z1) = (self.z0.max(other.z0), self.z1.min(other.z1));
+        let (low, high) = (z0 + SAME_MM, z1 - SAME_MM);
+        if low >= high || self.is_apart(other, z0, z1) {
+            return Meeting::default();
+        }
         let mut found = match (self.form, other.form) {
             (Form::Line { p: a, q: b }, Form::Line { p: c, q: d }) => lines(a, b, c, d),
             (Form::Line { p, q }, Form::Arc { center, radius, upper })
@@ -157,7 +174,6 @@ impl Piece {
                 halves(a, ra, ua, b, rb, ub)
             }
         };
-        let (low, high) = (self.z0.max(other.z0) + SAME_MM, self.z1.min(other.z1) - SAME_MM);
         found.keep(|z| z > low && z < high);
         found
     }

@@ -111,12 +111,12 @@ pub(super) struct Rough<'a> {
 }
 
 impl Rough<'_> {
-    /// Makes all strokes.
-    pub(super) fn cut(&self, path: &mut Path<'_>) {
+    /// Makes all strokes, or so many that there are more than `most` moves.
+    pub(super) fn cut(&self, path: &mut Path<'_>, most: usize) {
         let whole = Run { z0: self.limit.z0, z1: self.limit.z1 };
         // A stack instead of recursion: the depth of a part over the depth of a cut may be large.
         let mut open = self.below(whole, 1);
-        while let Some((parent, run, level)) = open.pop() {
+        while let Some((parent, run, level)) = open.pop().filter(|_| path.len() <= most) {
             let blocked = self.level(path, parent, run, self.height(level));
             for rest in without(run, &blocked) {
                 open.extend(self.below(rest, level + 1));

@@ -178,13 +178,13 @@ impl Work {
         Limit { chain: chain.max(&Chain::level(z0, z1, floor)), z0, z1 }
     }
 
-    /// Takes away what the insert of a tool covers along a segment.
-    pub(super) fn take(&mut self, cutter: &Cutter, segment: &Segment) {
-        let (low, high) = (left_along(&cutter.edge, segment), covered_along(&cutter.top, segment));
+    /// Takes away what the insert of a tool covers along a segment; `low` is what it leaves below it, as [`left_along`] gives it.
+    pub(super) fn take(&mut self, cutter: &Cutter, segment: &Segment, low: &Chain) {
+        let high = covered_along(&cutter.top, segment);
         let (Some(first), Some(last)) = (low.pieces.first(), low.pieces.last()) else { return };
         let (z0, z1) = (first.z0, last.z1);
-        self.hanging.cut(&low, &high, &self.stock);
-        self.stock.cut(&low);
+        self.hanging.cut(low, &high, &self.stock);
+        self.stock.cut(low);
         self.cover.replace(z0, z1, &self.hanging.top_over(self.stock.clipped(z0, z1), z0, z1));
     }
 

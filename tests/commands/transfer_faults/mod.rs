@@ -25,7 +25,7 @@ const PATIENT: Timing =
 
 /// For cases that are meant to run into a time limit.
 const SHORT: Timing =
-    Timing { first: Duration::from_millis(300), idle: Duration::from_millis(300), stuck: Duration::from_millis(300) };
+    Timing { first: Duration::from_secs(1), idle: Duration::from_secs(1), stuck: Duration::from_secs(1) };
 
 /// For controls that begin to answer, however late, and break off.
 const BROKEN_OFF: Timing = Timing { first: PATIENT.first, ..SHORT };
