@@ -120,7 +120,7 @@ fn promises_hold(machine: &str, rows: &[Row]) -> Result<(), TestCaseError> {
     }
     for setup in &derived.setups {
         prop_assert!(setup.proof.passed, "{:?}", setup.proof.errors().next());
-        prop_assert!(setup.proof.deepest_gouge_mm < 0.003, "gouge {} mm", setup.proof.deepest_gouge_mm);
+        prop_assert!(setup.proof.deepest_gouge_mm < 0.001, "gouge {} mm", setup.proof.deepest_gouge_mm);
         for left in setup.proof.leftover.iter().filter(|l| l.largest_mm > 0.03) {
             prop_assert!(is_named(&derived, left.section), "row {} keeps {} mm", left.section, left.largest_mm);
         }

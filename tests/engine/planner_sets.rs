@@ -29,9 +29,8 @@ const MACHINES: [(&str, &str); 5] = [
 /// What may stay without being named, mm.
 const NAMED_FROM_MM: f64 = 0.03;
 
-/// How far programs may cut below the contour, mm: 0.001, and what rounded ends of arcs add to that on the ORAC, whose words have
-/// steps of 0.001 (1.07 um is the most that was found; 1.00 on the other controls).
-const GOUGE_MM: f64 = 0.0011;
+/// How far programs may cut below the contour, mm.
+const GOUGE_MM: f64 = 0.001;
 
 /// How far the moves of the text may be from those of the path, mm.
 const READ_BACK_MM: f64 = 0.001;

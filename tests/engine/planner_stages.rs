@@ -333,7 +333,7 @@ fn promises_hold(rows: &[Row], machine: &str, blind: bool, hole: f64) -> Result<
     }
     let setup = &derived.setups[0];
     prop_assert!(setup.proof.passed, "{:?}", setup.proof.errors().next());
-    prop_assert!(setup.proof.deepest_gouge_mm < 0.003, "gouge {} mm", setup.proof.deepest_gouge_mm);
+    prop_assert!(setup.proof.deepest_gouge_mm < 0.001, "gouge {} mm", setup.proof.deepest_gouge_mm);
     for left in setup.proof.leftover.iter().filter(|l| l.largest_mm > NAMED_FROM_MM) {
         prop_assert!(is_named(&derived, left.section), "{left:?}");
     }

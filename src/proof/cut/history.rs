@@ -4,12 +4,16 @@ use super::columns::Columns;
 use super::cutter::Cutter;
 use super::grid::{GridPoint, Ring, Window, to_grid};
 use super::overlap::Overlap;
-use super::stock::{CHORD_TOLERANCE_MM, Stock};
+use super::stock::Stock;
 use super::sweep::{covered, swept};
 use crate::geometry::{Contour, Point, Segment};
 use crate::proof::report::StockState;
 use std::collections::BTreeMap;
 use std::sync::Arc;
+
+/// Arcs of paths become chords no further from them than this, mm: a fifth of the gouge that is looked for, for on the way round a
+/// crest chords cut deeper than the arc.
+const PATH_CHORD_MM: f64 = 0.000_2;
 
 /// Passes between two stocks that are kept, at first.
 const FIRST_STRIDE: usize = 16;
@@ -127,10 +131,8 @@ impl StockHistory {
 impl Pass {
     /// The path on the grid, arcs as chords.
     pub(super) fn points(&self) -> Vec<GridPoint> {
-        let mut points: Vec<GridPoint> = std::iter::once(self.path.start())
-            .chain(self.path.polyline_points(CHORD_TOLERANCE_MM))
-            .map(to_grid)
-            .collect();
+        let mut points: Vec<GridPoint> =
+            std::iter::once(self.path.start()).chain(self.path.polyline_points(PATH_CHORD_MM)).map(to_grid).collect();
         points.dedup();
         points
     }

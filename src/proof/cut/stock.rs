@@ -7,8 +7,8 @@ use crate::geometry::Contour;
 use crate::proof::report::StockState;
 use std::sync::Arc;
 
-/// Arcs of stock, tools and paths become chords no further from them than this, mm.
-pub(in crate::proof) const CHORD_TOLERANCE_MM: f64 = 0.000_5;
+/// Arcs of stock and tools become chords no further from them than this, mm.
+pub(super) const CHORD_TOLERANCE_MM: f64 = 0.000_5;
 /// Columns of one chunk at most: fewer are copied at every cut, more are passed over at every look.
 const MOST_COLUMNS: usize = 64;
 /// Neighbours with fewer columns than this together become one.
