@@ -32,4 +32,5 @@ pub use section::{STARTS, Section, SectionKind};
 pub use setup::Setup;
 pub use setups::{PART_OFF_WIDTH_MM, setups};
 pub use shape::row_curve;
+pub(crate) use shape::{ShapeFault, row_fault};
 pub use thread::ThreadSpec;

@@ -15,7 +15,7 @@ const TABLE_FIGURE_MM: f64 = 1e-3;
 
 /// Why a row has no curve of its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum ShapeFault {
+pub(crate) enum ShapeFault {
     /// A figure is not a number, infinite or beyond [`LARGEST_FIGURE_MM`].
     Unusable,
     /// The second position is not beyond the first one, and the row is no wall either.
@@ -72,6 +72,12 @@ pub(super) fn is_usable(value: f64) -> bool {
 #[must_use]
 pub fn row_curve(section_mm: &Section) -> Option<Curve> {
     curve(section_mm).ok()
+}
+
+/// Why a row in mm has no curve; `None` if it has one.
+#[must_use]
+pub(crate) fn row_fault(section_mm: &Section) -> Option<ShapeFault> {
+    curve(section_mm).err()
 }
 
 /// True for a line square to the spindle: a wall from one diameter to another at one position.

@@ -90,6 +90,10 @@ fn ellipse(along: f64, across: f64, tip: f64, length: f64) -> Option<Vec<Segment
 fn of_sections(sections: &[Section]) -> Option<Vec<Segment>> {
     /// Rows that end and begin further apart leave a step, mm.
     const STEP_MM: f64 = 1e-6;
+    // A thread would be turned into the former; nothing can be formed over it.
+    if sections.iter().any(|s| matches!(s.kind, SectionKind::Thread { .. })) {
+        return None;
+    }
     let profile = part::Profile {
         pieces: sections
             .iter()

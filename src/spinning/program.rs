@@ -21,7 +21,7 @@ pub fn cutter_path(shell_mm: &Shell, shape: &ShellShape, path: &RollerPath, mach
     let change = machine
         .change_position(shell_mm.roller.station)
         .map(|at| Point::new(zero + at.z_mm, (at.diameter_mm / 2.0).max(path.free_radius)));
-    let cut = cut(shell_mm, machine);
+    let cut = cut(shell_mm, shape, machine);
     let count = path.passes.len();
     let mut moves = Vec::new();
     for pass in &path.passes {
@@ -49,14 +49,16 @@ fn along(contour: &Contour, cut: Cut) -> impl Iterator<Item = CutMove> + '_ {
     })
 }
 
-/// Constant surface speed where the control has it; else the speed that gives it at the base.
-fn cut(shell: &Shell, machine: &Machine) -> Cut {
-    let speeds = &shell.speeds;
+/// Constant surface speed where the control has it. Else one speed all along: the one that gives the surface speed at the
+/// base, where the contour is widest, so that the metal is nowhere worked faster than was asked for; never more than the
+/// highest speed.
+pub(crate) fn cut(shell_mm: &Shell, shape: &ShellShape, machine: &Machine) -> Cut {
+    let speeds = &shell_mm.speeds;
     let max_rpm = speeds.max_rpm.min(machine.rpm_limit());
     let has_surface_speed = machine.words.as_ref().is_some_and(|w| w.surface_speed);
     let surface = Speed::Surface { m_per_min: speeds.surface_m_per_min, max_rpm };
     let cut = Cut { feed: Feed::PerRev(speeds.feed_per_rev), speed: surface };
-    if has_surface_speed { cut } else { Cut { speed: Speed::Rpm(max_rpm), ..cut } }
+    if has_surface_speed { cut } else { Cut { speed: Speed::Rpm(cut.rpm_at(shape.base().r)), ..cut } }
 }
 
 /// What the program of a design in mm says about itself.
@@ -70,5 +72,35 @@ pub fn header(name: &str, shell_mm: &Shell, shape: &ShellShape) -> Header {
         stock: format!("DISC D{:.2} X {:.2} MM", 2.0 * shape.blank_radius, shape.thickness),
         holding: format!("FORMER AND FOLLOWER D{:.1}", shell_mm.blank.follower_diameter),
         tools: BTreeMap::from([(roller.station, tool)]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::machine::Catalog;
+    use crate::spinning::shape;
+
+    /// The speed of a shell on a machine, and the radius of its base.
+    fn speed(machine: &str, shell: &Shell) -> (Speed, f64) {
+        let shape = shape(shell).unwrap();
+        let cut = cut(shell, &shape, Catalog::shipped().machine(machine).unwrap());
+        (cut.speed, shape.base().r)
+    }
+
+    #[test]
+    fn a_control_with_surface_speed_is_given_it_with_its_clamp() {
+        let (speed, _) = speed("linuxcnc", &Shell::default());
+        assert!(matches!(speed, Speed::Surface { m_per_min: 350.0, max_rpm: 1500.0 }), "{speed:?}");
+    }
+
+    #[test]
+    fn without_it_the_surface_speed_is_reached_at_the_base_and_nowhere_exceeded() {
+        let mut shell = Shell::default();
+        let (Speed::Rpm(rpm), base) = speed("swedish-1970s", &shell) else { panic!("a fixed speed") };
+        let m_per_min = rpm * std::f64::consts::TAU * base / 1000.0;
+        assert!((m_per_min - 350.0).abs() < 1e-9 && rpm < 1500.0, "{rpm} {m_per_min}");
+        shell.speeds.max_rpm = 500.0;
+        assert!(matches!(speed("swedish-1970s", &shell).0, Speed::Rpm(500.0)));
     }
 }

@@ -303,6 +303,33 @@ mod tests {
     }
 
     #[test]
+    fn a_fault_of_any_size_is_caught_or_leaves_the_roller_within_the_limit() {
+        let model = RigModel::new(95.0, 1.27);
+        let limit = watch(&model).limit_mm;
+        let counts = [2, 5, 10, 20, 30, 40, 60, 100, 300].map(|count| Fault::LostCounts { after_pulses: 150, count });
+        let drifts = [0.04, 1.0, 2.0, 5.0, 10.0, 20.0, 60.0].map(|d| Fault::DriftingSupply { percent_per_min: d });
+        let stuck = [0, 1, 50, 400, 700]
+            .into_iter()
+            .flat_map(|after_pulses| [true, false].map(|open| Fault::StuckValve { after_pulses, open }));
+        let stalled = [0, 1, 50, 400, 780].map(|after_pulses| Fault::StalledCarriage { after_pulses });
+        for fault in counts.into_iter().chain(drifts).chain(stuck).chain(stalled) {
+            let run = run_at(cone(30, 8).watched(watch(&model)), model, vec![fault]);
+            // Overshoot of one move lies beyond what is read, for it comes after the reading.
+            let worst = run.errors().largest_mm;
+            match run.controller().phase() {
+                Phase::Stopped { reason, drawn_back } => {
+                    println!("{fault:?}: {reason} Off by {worst:.2} mm, drawn back: {drawn_back}");
+                    assert!(!run.rig().lathe_is_on() && !run.rig().pump_is_on());
+                }
+                phase => {
+                    println!("{fault:?}: not caught, off by {worst:.2} mm");
+                    assert!(*phase == Phase::Completed && worst < limit, "{fault:?}: {phase:?} {worst}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn a_sound_rig_is_never_stopped() {
         let model = RigModel::new(95.0, 1.27);
         for angle in [30, 37, 45] {

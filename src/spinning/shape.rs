@@ -3,6 +3,7 @@
 use super::former::{self, CONTOUR_TOLERANCE_MM};
 use super::hollow::{self, Hollow};
 use super::law;
+use super::limits::LARGEST_FIGURE;
 use super::offset::{self, Distance};
 use crate::document::Shell;
 use crate::geometry::{Contour, Point, Segment};
@@ -99,12 +100,13 @@ impl ShellShape {
 #[must_use]
 pub fn shape(shell_mm: &Shell) -> Option<ShellShape> {
     let thickness = shell_mm.blank.thickness;
-    if !(thickness.is_finite() && thickness > 0.0) {
+    let usable = |value: &f64| *value > 0.0 && *value <= LARGEST_FIGURE;
+    if !usable(&thickness) {
         return None;
     }
     let former = former::contour(&shell_mm.former)?;
     let wall = Distance { forming: shell_mm.forming, thickness, more: 0.0 };
-    let nose = Some(shell_mm.roller.nose_radius).filter(|r| r.is_finite() && *r > 0.0).unwrap_or_default();
+    let nose = Some(shell_mm.roller.nose_radius).filter(usable).unwrap_or_default();
     let to_centre = Distance { more: nose, ..wall };
     let centres = offset::offset(&former, to_centre, CONTOUR_TOLERANCE_MM);
     let (inside, hollows) = hollow::formed(&former, &centres, to_centre);
@@ -125,7 +127,7 @@ pub fn shape(shell_mm: &Shell) -> Option<ShellShape> {
     };
     shape.volume = turned_volume(&shape.shell_outline(CONTOUR_TOLERANCE_MM));
     shape.volume_radius = law::disc_radius(shape.volume, thickness);
-    let given = shell_mm.blank.diameter.filter(|d| d.is_finite() && *d > 0.0);
+    let given = shell_mm.blank.diameter.filter(usable);
     shape.blank_radius = given.map_or(shape.volume_radius, |d| d / 2.0);
     Some(shape)
 }

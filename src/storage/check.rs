@@ -2,7 +2,9 @@
 //! saved can be opened again. Whether the part can be made is a question for the part's own checks, not for this one.
 
 use crate::diagnostic::{Column, Place, SectionTable};
-use crate::document::{Content, Document, Ends, FORMAT_VERSION, Generator, ParabolaCut, Shell, TurnedPart};
+use crate::document::{
+    Content, Document, Ends, FORMAT_VERSION, FormerShape, Generator, ParabolaCut, Shell, TurnedPart,
+};
 use crate::part::{STARTS, Section, SectionKind};
 use std::collections::BTreeMap;
 use std::ops::RangeInclusive;
@@ -48,11 +50,20 @@ pub(super) fn faults(document: &Document) -> Vec<Fault> {
     faults
 }
 
-/// Figures of a shell that are none; what they cannot be is said by the rules of the process.
+/// Figures of a shell that are none, and tables that are too long; what else they cannot be is said by the rules of the
+/// process.
 fn shell_faults(shell: &Shell, faults: &mut Vec<Fault>) {
+    if let FormerShape::Sections { sections } = &shell.former.shape
+        && sections.len() > MOST_SECTIONS
+    {
+        let at = Place::Setting { path: "former.shape.sections".to_owned() };
+        let message = format!("The table has {} rows; the limit is {MOST_SECTIONS}.", sections.len());
+        faults.push(Fault { path: "content.shell.former.shape.sections".to_owned(), at, message });
+    }
     for (path, value) in shell.figures().into_iter().filter(|(_, value)| !value.is_finite()) {
         let at = Place::Setting { path: path.clone() };
-        faults.push(Fault { path: format!("content.shell.{path}"), at, message: not_finite(value) });
+        let keys = path.replace('[', ".").replace(']', "");
+        faults.push(Fault { path: format!("content.shell.{keys}"), at, message: not_finite(value) });
     }
 }
 

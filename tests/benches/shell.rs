@@ -24,7 +24,7 @@ fn dragged(name: &str, figure: &str, by: f64) -> Arc<Document> {
     let mut document = storage::document_from_text(name, example.text).expect("shipped examples can be read");
     if let Content::Shell(shell) = &mut document.content {
         let shape: &mut FormerShape = &mut shell.former.shape;
-        let value = shape.figures().iter().find(|(n, _)| *n == figure).map_or(0.0, |(_, value)| *value);
+        let value = shape.figures().iter().find(|(n, _)| n == figure).map_or(0.0, |(_, value)| *value);
         shape.set(figure, value + by);
     }
     Arc::new(document)

@@ -4,5 +4,6 @@
 #![allow(clippy::print_stdout, reason = "tables of what was compared are for people to read")]
 
 mod cli;
+mod cli_shells;
 mod cli_transfer;
 mod transfer_faults;

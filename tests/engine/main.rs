@@ -9,6 +9,7 @@
 
 mod bad_input;
 mod bad_roll_sets;
+mod bad_shells;
 mod changed_bytes;
 mod cut_by;
 mod facing;

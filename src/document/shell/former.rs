@@ -1,7 +1,8 @@
 //! The former of a shell and the contours that it can have.
 
-use crate::part::Section;
+use crate::part::{Section, SectionKind};
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// The former (mandrel): a flat tip that holds the blank, the contour, and a cylinder behind it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -132,30 +133,44 @@ impl FormerShape {
         *figure = value;
     }
 
-    /// Its figures with their names in the file.
+    /// Its figures with their names in the file; those of a section table as `sections[0].z1`.
     #[must_use]
-    pub fn figures(&self) -> Vec<(&'static str, f64)> {
+    pub fn figures(&self) -> Vec<(Cow<'static, str>, f64)> {
+        let named = |figures: &[(&'static str, f64)]| figures.iter().map(|(n, v)| (Cow::Borrowed(*n), *v)).collect();
         match *self {
             Self::Cone { half_angle_deg, tip_diameter, length } => {
-                vec![("half_angle_deg", half_angle_deg), ("tip_diameter", tip_diameter), ("length", length)]
+                named(&[("half_angle_deg", half_angle_deg), ("tip_diameter", tip_diameter), ("length", length)])
             }
             Self::Parabola { constant, tip_diameter, length } => {
-                vec![("constant", constant), ("tip_diameter", tip_diameter), ("length", length)]
+                named(&[("constant", constant), ("tip_diameter", tip_diameter), ("length", length)])
             }
             Self::Dish { focal_length, tip_diameter, rim_diameter } => {
-                vec![("focal_length", focal_length), ("tip_diameter", tip_diameter), ("rim_diameter", rim_diameter)]
+                named(&[("focal_length", focal_length), ("tip_diameter", tip_diameter), ("rim_diameter", rim_diameter)])
             }
-            Self::Ellipse { semi_axis, diameter, tip_diameter, length } => vec![
+            Self::Ellipse { semi_axis, diameter, tip_diameter, length } => named(&[
                 ("semi_axis", semi_axis),
                 ("diameter", diameter),
                 ("tip_diameter", tip_diameter),
                 ("length", length),
-            ],
-            Self::Sections { ref sections } => {
-                sections.iter().flat_map(|s| [("z1", s.z1), ("d1", s.d1), ("z2", s.z2), ("d2", s.d2)]).collect()
-            }
+            ]),
+            Self::Sections { ref sections } => sections.iter().enumerate().flat_map(row_figures).collect(),
         }
     }
+}
+
+/// Figures of a row of the section table with their names.
+fn row_figures((index, row): (usize, &Section)) -> Vec<(Cow<'static, str>, f64)> {
+    let of_kind: &[(&str, f64)] = match row.kind {
+        SectionKind::Line => &[],
+        SectionKind::Concave { radius } | SectionKind::Convex { radius } => &[("radius", radius)],
+        SectionKind::Thread { pitch, .. } => &[("pitch", pitch)],
+        SectionKind::ParabolaAlongZ { z3, d3, .. } | SectionKind::ParabolaAlongX { z3, d3, .. } => {
+            &[("z3", z3), ("d3", d3)]
+        }
+    };
+    let ends = [("z1", row.z1), ("d1", row.d1), ("z2", row.z2), ("d2", row.d2)];
+    let named = |(name, value): &(&str, f64)| (Cow::Owned(format!("sections[{index}].{name}")), *value);
+    ends.iter().chain(of_kind).map(named).collect()
 }
 
 #[cfg(test)]
@@ -171,10 +186,19 @@ mod tests {
             FormerShape::Ellipse { semi_axis: 1.0, diameter: 1.0, tip_diameter: 1.0, length: 1.0 },
         ] {
             for (name, _) in shape.figures() {
-                shape.set(name, 7.0);
+                shape.set(&name, 7.0);
             }
             shape.set("colour", 8.0);
             assert!(shape.figures().iter().all(|(_, value)| *value == 7.0), "{shape:?}");
         }
+    }
+
+    #[test]
+    fn figures_of_a_table_are_named_by_their_row_and_none_is_left_out() {
+        let arc = Section { kind: SectionKind::Concave { radius: 9.0 }, ..Section::line(2, 4.0, 3.0, 5.0, 2.0) };
+        let shape = FormerShape::Sections { sections: vec![Section::line(1, 0.0, 6.0, 4.0, 3.0), arc] };
+        let figures = shape.figures();
+        assert_eq!(figures.len(), 9);
+        assert_eq!((figures[0].0.as_ref(), &figures[8]), ("sections[0].z1", &("sections[1].radius".into(), 9.0)));
     }
 }

@@ -12,6 +12,8 @@ use crate::papers::setup_sheet::writer::{LEFT_MM, LINE_MM, RIGHT_MM, Writer, cel
 use crate::papers::setup_sheet::{minutes, title};
 use crate::proof::Motion;
 use crate::regen::Derived;
+use crate::spinning::program;
+use crate::turning::Speed;
 use std::f64::consts::PI;
 
 /// The pages of a shell's setup sheet.
@@ -101,22 +103,23 @@ fn facts(subject: &Subject<'_>, to: &mut Writer) {
     );
 }
 
-/// The cutting speed with the spindle speeds that it gives at tip and base.
+/// The spindle as the program turns it: a cutting speed with what it gives at tip and base, or one speed all along with what
+/// that gives at the base.
 fn spindle(subject: &Subject<'_>) -> String {
-    let speeds = &subject.shell().speeds;
-    let machine = subject.machine;
-    let most = machine.map_or(speeds.max_rpm, |m| speeds.max_rpm.min(m.rpm_limit()));
-    if machine.is_none_or(|m| m.words.as_ref().is_none_or(|w| !w.surface_speed)) {
-        return format!("{most:.0} 1/min");
-    }
-    let rpm = |r: f64| (speeds.surface_m_per_min * 1000.0 / (2.0 * PI * r.max(1e-3))).min(most);
+    let Some(machine) = subject.machine else { return String::new() };
     let (tip, base) = (subject.made.shape.tip().r, subject.made.shape.base().r);
-    format!(
-        "{} m/min, {:.0} 1/min at the tip to {:.0} 1/min at the base, {most:.0} 1/min at most",
-        speeds.surface_m_per_min,
-        rpm(tip),
-        rpm(base)
-    )
+    let cut = program::cut(subject.shell(), &subject.made.shape, machine);
+    match cut.speed {
+        Speed::Surface { m_per_min, max_rpm } => format!(
+            "{m_per_min} m/min, {:.0} 1/min at the tip to {:.0} 1/min at the base, {max_rpm:.0} 1/min at most",
+            cut.rpm_at(tip),
+            cut.rpm_at(base)
+        ),
+        Speed::Rpm(rpm) => {
+            let rpm = machine.nearest_rpm(rpm);
+            format!("{rpm:.0} 1/min all along, {:.0} m/min at the base", rpm * 2.0 * PI * base / 1000.0)
+        }
+    }
 }
 
 /// A place of the nose's centre in program coordinates.

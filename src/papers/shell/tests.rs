@@ -46,7 +46,7 @@ fn every_shell_has_a_drawing_with_its_sizes_and_its_wall() {
         let said = texts(&drawn);
         let tip = format!("Ø {}", number(2.0 * shell.shape.tip().r, Unit::Mm));
         let base = format!("Ø {}", number(2.0 * shell.shape.base().r, Unit::Mm));
-        let thinnest = number(shell.shape.thinnest().unwrap().wall, Unit::Mm);
+        let thinnest = crate::papers::number::fixed(shell.shape.thinnest().unwrap().wall, Unit::Mm);
         for wanted in [derived.document.name.as_str(), &tip, &base, &thinnest, "Wall along the shell", "9"] {
             assert!(said.contains(&wanted), "{}: {wanted} in {said:?}", derived.document.name);
         }
@@ -57,6 +57,29 @@ fn every_shell_has_a_drawing_with_its_sizes_and_its_wall() {
         let near = |item: &Item| matches!(item, Item::Path { path, .. } if path.distance_to(corner) < 1e-6);
         assert!(page.items.iter().any(near));
     }
+}
+
+#[test]
+fn figures_of_a_column_of_the_wall_table_stand_below_one_another() {
+    for derived in made(|_| ()) {
+        let walls = walls::walls(&Subject::of(&derived).unwrap());
+        let decimals = |cell: &String| cell.trim_end_matches(['°', '%', ' ']).split_once('.').map(|(_, d)| d.len());
+        for column in 0..5 {
+            let all: Vec<_> = walls.iter().map(|wall| decimals(&wall.cells[column])).collect();
+            assert!(all[0].is_some() && all.iter().all(|d| *d == all[0]), "{column}: {all:?}");
+        }
+    }
+}
+
+#[test]
+fn a_machine_without_surface_speed_is_said_to_turn_at_one_speed() {
+    let slow = made(|document| {
+        let Content::Shell(shell) = &mut document.content else { unreachable!("a shell") };
+        shell.machine = "swedish-1970s".to_owned();
+    });
+    let said = texts(&pages(&slow[0], PaperKind::SetupSheet)).join("\n");
+    // 350 m/min at a base of 97.7 mm would be 1140 1/min; the spindle's next lower step is 1000.
+    assert!(said.contains("1000 1/min all along, 307 m/min at the base"), "{said}");
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use super::Subject;
 use crate::geometry::{Point, Vector};
+use crate::papers::number::fixed;
 use crate::spinning::Station;
 
 /// Places that are listed, ends included.
@@ -29,10 +30,10 @@ pub(super) fn walls(subject: &Subject<'_>) -> Vec<Wall> {
         .map(|(number, place)| {
             let outward = Vector::new(place.half_angle.sin(), place.half_angle.cos());
             let cells = [
-                subject.figure(tip - place.at.z),
-                subject.figure(2.0 * place.at.r),
+                fixed(tip - place.at.z, subject.unit()),
+                fixed(2.0 * place.at.r, subject.unit()),
                 format!("{:.2}°", place.half_angle.to_degrees()),
-                subject.figure(place.wall),
+                fixed(place.wall, subject.unit()),
                 format!("{:.1} %", 100.0 * place.reduction),
             ];
             Wall { number, inside: place.at, outside: place.at + outward * place.wall, cells }

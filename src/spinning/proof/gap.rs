@@ -1,50 +1,47 @@
 //! The gap between roller and former is never less than the wall of the shell.
 
+use super::route::{Prepared, Route, squared_gap};
 use super::{ShellProof, ShellProofInput, finding, reach, shares, travelled};
-use crate::geometry::{Bounds, Contour, Point, Segment};
-use crate::proof::{Finding, FindingKind};
+use crate::geometry::{Bounds, Point, Segment, Vector};
+use crate::proof::{Finding, FindingKind, Motion, Move};
 use crate::spinning::{law, offset};
 
 /// Places of the roller further apart than this are not looked at, mm.
 const APART_MM: f64 = 0.25;
 
-/// The former's contour with boxes, so that a far segment is not measured.
-pub(super) struct Former<'a> {
-    contour: &'a Contour,
-    boxes: Vec<Bounds>,
+/// The former's contour.
+pub(super) struct Former {
+    route: Route,
+    /// Everything of the former lies in it, whatever is behind and below it, too.
+    body: Bounds,
 }
 
-impl<'a> Former<'a> {
-    fn new(contour: &'a Contour) -> Self {
-        Self { contour, boxes: contour.segments.iter().map(Segment::bounds).collect() }
-    }
-
-    /// Nearest point of the former, its distance, and the segment that it is on.
-    fn nearest(&self, p: Point) -> Option<(f64, Point, &'a Segment)> {
-        let mut best: Option<(f64, Point, &Segment)> = None;
-        for (segment, bounds) in self.contour.segments.iter().zip(&self.boxes) {
-            if best.is_some_and(|(least, ..)| box_distance(bounds, p) >= least) {
-                continue;
-            }
-            let nearest = segment.nearest_point(p);
-            let distance = nearest.distance(p);
-            if best.is_none_or(|(least, ..)| distance < least) {
-                best = Some((distance, nearest, segment));
-            }
-        }
-        best
-    }
+/// A place of the former seen from the nose's centre.
+struct Seen<'a> {
+    distance: f64,
+    away: Vector,
+    segment: &'a Segment,
 }
 
-pub(super) fn box_distance(b: &Bounds, p: Point) -> f64 {
-    let dz = (b.min.z - p.z).max(p.z - b.max.z).max(0.0);
-    let dr = (b.min.r - p.r).max(p.r - b.max.r).max(0.0);
-    dz.hypot(dr)
+impl Former {
+    fn new(input: &ShellProofInput) -> Self {
+        let contour = &input.shape.former;
+        let most = contour.bounds().map_or(0.0, |b| b.max.r);
+        let max = Point::new(input.shape.tip().z, most);
+        let body = Bounds { min: Point::new(f64::NEG_INFINITY, f64::NEG_INFINITY), max };
+        Self { route: Route::new(contour.segments.iter()), body }
+    }
+
+    fn seen_from(&self, centre: Point, hint: &mut usize) -> Option<Seen<'_>> {
+        let nearest = self.route.nearest(centre, hint)?;
+        let segment = self.route.segment(nearest.piece)?;
+        Some(Seen { distance: nearest.distance, away: centre - nearest.at, segment })
+    }
 }
 
 /// Looks at every move, and then along the former.
 pub(super) fn check(input: &ShellProofInput, found: &mut ShellProof) {
-    let former = Former::new(&input.shape.former);
+    let former = Former::new(input);
     let (tightest, wrong) = tightest(input, found, &former);
     found.tightest_mm = tightest;
     found.findings.extend(wrong);
@@ -52,37 +49,60 @@ pub(super) fn check(input: &ShellProofInput, found: &mut ShellProof) {
 }
 
 /// Smallest gap less the wall, and the worst place of every block where it is under the tolerance.
-fn tightest(input: &ShellProofInput, found: &ShellProof, former: &Former<'_>) -> (f64, Vec<Finding>) {
-    let tolerance = input.shell.gap_tolerance;
+///
+/// Feeds come first: beside the tightest place of theirs most of the way of a rapid is far enough away not to be measured.
+fn tightest(input: &ShellProofInput, found: &ShellProof, former: &Former) -> (f64, Vec<Finding>) {
     let mut least = f64::INFINITY;
-    let mut wrong = Vec::new();
-    for (_, at_move) in travelled(found) {
-        let mut worst: Option<(f64, f64, f64)> = None;
-        for share in shares(&at_move.path, APART_MM) {
-            let centre = at_move.path.point_at(share);
-            let Some((distance, _, segment)) = former.nearest(centre) else { continue };
-            let gap = signed(input, centre, distance) - input.shell.roller.nose_radius;
-            let over = gap - wall_at(input, segment, centre);
-            least = least.min(over);
-            if over < -tolerance && worst.is_none_or(|(_, least, _)| over < least) {
-                worst = Some((share, over, gap));
-            }
+    let mut wrong: Vec<(usize, Finding)> = Vec::new();
+    let feeds = travelled(found).filter(|(_, m)| m.motion == Motion::Feed);
+    let others = travelled(found).filter(|(_, m)| m.motion != Motion::Feed);
+    for (index, at_move) in feeds.chain(others) {
+        let said = tightest_of_move(input, at_move, former, &mut least);
+        wrong.extend(said.map(|finding| (index, finding)));
+    }
+    wrong.sort_by_key(|(index, _)| *index);
+    (least, wrong.into_iter().map(|(_, finding)| finding).collect())
+}
+
+/// Looks along a move; the worst place of it, where it is under the tolerance.
+fn tightest_of_move(input: &ShellProofInput, at_move: &Move, former: &Former, least: &mut f64) -> Option<Finding> {
+    let tolerance = input.shell.gap_tolerance;
+    // No wall is thicker than the blank.
+    let thickest = input.shell.roller.nose_radius + input.shape.thickness;
+    let path = Prepared::new(&at_move.path);
+    let mut worst: Option<(f64, f64, f64)> = None;
+    let mut hint = 0;
+    for share in shares(&at_move.path, APART_MM) {
+        let centre = path.point_at(share);
+        let far = thickest + least.max(0.0);
+        if squared_gap(&former.body, centre) > far * far {
+            continue;
         }
-        if let Some((share, over, gap)) = worst {
-            let message = format!(
-                "The gap between roller and former is {gap:.3} mm; the wall there is {:.3} mm, the tolerance {tolerance:.3} mm.",
-                gap - over
-            );
-            wrong.push(finding(input, at_move, share, FindingKind::Gouge, (-over, tolerance), message));
+        let Some((over, gap)) = measured(input, former, centre, &mut hint) else { continue };
+        *least = least.min(over);
+        if over < -tolerance && worst.is_none_or(|(_, least, _)| over < least) {
+            worst = Some((share, over, gap));
         }
     }
-    (least, wrong)
+    worst.map(|(share, over, gap)| {
+        let message = format!(
+            "The gap between roller and former is {gap:.3} mm; the wall there is {:.3} mm, the tolerance {tolerance:.3} mm.",
+            gap - over
+        );
+        finding(input, at_move, share, FindingKind::Gouge, (-over, tolerance), message)
+    })
+}
+
+/// The gap of a roller with its nose centre here, less the wall that belongs there, and the gap, mm.
+fn measured(input: &ShellProofInput, former: &Former, centre: Point, hint: &mut usize) -> Option<(f64, f64)> {
+    let seen = former.seen_from(centre, hint)?;
+    let gap = signed(input, centre, seen.distance) - input.shell.roller.nose_radius;
+    Some((gap - wall_at(input, &seen), gap))
 }
 
 /// The gap of a roller with its nose centre here, less the wall that belongs there, mm.
-pub(super) fn over(input: &ShellProofInput, former: &Former<'_>, centre: Point) -> Option<f64> {
-    let (distance, _, segment) = former.nearest(centre)?;
-    Some(signed(input, centre, distance) - input.shell.roller.nose_radius - wall_at(input, segment, centre))
+pub(super) fn over(input: &ShellProofInput, former: &Former, centre: Point) -> Option<f64> {
+    measured(input, former, centre, &mut 0).map(|(over, _)| over)
 }
 
 /// The distance from the former, negative inside it.
@@ -104,10 +124,10 @@ fn is_under(input: &ShellProofInput, p: Point) -> bool {
 }
 
 /// The wall by the angle of the former at the point nearest to the roller: at a corner that of the direction to it.
-fn wall_at(input: &ShellProofInput, segment: &Segment, centre: Point) -> f64 {
-    let nearest = segment.nearest_point(centre);
-    let away = centre - nearest;
-    let angle =
-        away.try_normalize(1e-9).map_or_else(|| offset::half_angle(segment.direction_at(0.0)), |n| n.x.atan2(n.y));
+fn wall_at(input: &ShellProofInput, seen: &Seen<'_>) -> f64 {
+    let angle = seen
+        .away
+        .try_normalize(1e-9)
+        .map_or_else(|| offset::half_angle(seen.segment.direction_at(0.0)), |n| n.x.atan2(n.y));
     law::wall(input.shell.forming, input.shape.thickness, angle)
 }

@@ -7,6 +7,7 @@ mod contact;
 mod gap;
 mod obstacles;
 mod reach;
+mod route;
 
 use super::shape::ShellShape;
 use crate::cancel::{Cancel, Cancelled};

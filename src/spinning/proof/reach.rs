@@ -1,11 +1,12 @@
 //! Along the whole former the roller passes where it forms the wall, but for hollows that its nose does not reach into.
 
-use super::gap::{Former, box_distance, over};
+use super::gap::{Former, over};
+use super::route::Route;
 use super::{ShellProof, ShellProofInput, shares};
 use crate::diagnostic::Severity;
 use crate::document::Forming;
-use crate::geometry::{Bounds, Point, Segment, Vector};
-use crate::proof::{Finding, FindingKind, Move};
+use crate::geometry::{Point, Segment, Vector};
+use crate::proof::{Finding, FindingKind};
 use crate::spinning::{law, offset};
 
 /// Places along the former at which the finished gap is measured are this far apart at most, mm.
@@ -22,7 +23,7 @@ const HOLLOW_RAD: f64 = 1e-6;
 type Worst = Option<(f64, Point)>;
 
 /// Looks along the former after all moves.
-pub(super) fn check(input: &ShellProofInput, found: &mut ShellProof, former: &Former<'_>) {
+pub(super) fn check(input: &ShellProofInput, found: &mut ShellProof, former: &Former) {
     let (missed, spanned) = along(input, found, former);
     found.widest_mm = missed.map_or(0.0, |(off, _)| off);
     found.spanned_mm = spanned.map_or(0.0, |(off, _)| off);
@@ -59,18 +60,18 @@ pub(super) fn check(input: &ShellProofInput, found: &mut ShellProof, former: &Fo
 }
 
 /// The worst place that the roller could form and did not, and the worst of those that it cannot reach.
-fn along(input: &ShellProofInput, found: &ShellProof, former: &Former<'_>) -> (Worst, Worst) {
+fn along(input: &ShellProofInput, found: &ShellProof, former: &Former) -> (Worst, Worst) {
     let nose = input.shell.roller.nose_radius;
     let wall_at = |angle: f64| law::wall(input.shell.forming, input.shape.thickness, angle);
-    let paths: Vec<(&Move, Bounds)> = super::travelled(found).map(|(_, m)| (m, m.path.bounds())).collect();
+    let paths = Route::new(super::travelled(found).map(|(_, m)| &m.path));
+    let mut hint = 0;
     let (mut missed, mut spanned): (Worst, Worst) = (None, None);
     for segment in &input.shape.former.segments {
         for share in shares(segment, STATION_MM) {
             let at = segment.point_at(share);
             let angle = offset::half_angle(segment.direction_at(share));
             let centre = at + offset::outward(angle) * (nose + wall_at(angle));
-            let Some(nearest) = nearest(&paths, centre) else { continue };
-            let off = nearest.distance(centre);
+            let Some(off) = paths.nearest(centre, &mut hint).map(|nearest| nearest.distance) else { continue };
             let small = off <= input.shell.gap_tolerance;
             if small || reaches(input, former, centre) {
                 worse(&mut missed, off, at);
@@ -84,7 +85,7 @@ fn along(input: &ShellProofInput, found: &ShellProof, former: &Former<'_>) -> (W
 
 /// True if the nose keeps the wall of every side of the former here: at the nearest place, and wherever it is straight above
 /// one.
-fn reaches(input: &ShellProofInput, former: &Former<'_>, centre: Point) -> bool {
+fn reaches(input: &ShellProofInput, former: &Former, centre: Point) -> bool {
     let nose = input.shell.roller.nose_radius;
     let keeps = |segment: &Segment| {
         let foot = segment.nearest_point(centre);
@@ -115,33 +116,17 @@ fn clears_corner(input: &ShellProofInput, pair: &[Segment], centre: Point) -> bo
 
 /// Distance of the shell's inside from a place that the roller does not reach, mm: the nose's own surface, in flow-turning
 /// shifted along the axis by the blank's thickness, in spinning a wall further in.
-fn stands_off(input: &ShellProofInput, paths: &[(&Move, Bounds)], at: Point) -> f64 {
+fn stands_off(input: &ShellProofInput, paths: &Route, at: Point) -> f64 {
     let (nose, thickness) = (input.shell.roller.nose_radius, input.shape.thickness);
     let (outside, wall) = match input.shell.forming {
         Forming::Shear => (at + Vector::new(thickness, 0.0), 0.0),
         Forming::Spinning => (at, thickness),
     };
-    nearest(paths, outside).map_or(f64::INFINITY, |centre| centre.distance(outside) - nose - wall)
+    paths.nearest(outside, &mut 0).map_or(f64::INFINITY, |nearest| nearest.distance - nose - wall)
 }
 
 fn worse(worst: &mut Worst, off: f64, at: Point) {
     if worst.is_none_or(|(most, _)| off > most) {
         *worst = Some((off, at));
     }
-}
-
-/// The point of all paths that is nearest to `p`.
-fn nearest(paths: &[(&Move, Bounds)], p: Point) -> Option<Point> {
-    let mut best: Option<(f64, Point)> = None;
-    for (m, bounds) in paths {
-        if best.is_some_and(|(least, _)| box_distance(bounds, p) >= least) {
-            continue;
-        }
-        let at = m.path.nearest_point(p);
-        let distance = at.distance(p);
-        if best.is_none_or(|(least, _)| distance < least) {
-            best = Some((distance, at));
-        }
-    }
-    best.map(|(_, at)| at)
 }

@@ -1,8 +1,9 @@
 use super::*;
 use crate::document::FormerShape;
+use crate::geometry::{Contour, Point};
 use crate::machine::{self, Catalog};
 use crate::post;
-use crate::spinning::{path, program, shape};
+use crate::spinning::{path, program, roller, shape};
 
 fn input(shell: &Shell) -> ShellProofInput {
     let catalog = Catalog::shipped();
@@ -63,6 +64,40 @@ fn curved_shells_and_several_passes_are_proved() {
         println!("{:?}: {} {} {}", shell.former.shape, proof.tightest_mm, proof.widest_mm, proof.clearance_mm);
         assert!(proof.passed, "{:?}: {:?}", shell.former.shape, proof.findings);
         assert!(proof.tightest_mm > -0.005 && proof.widest_mm < 0.005);
+    }
+}
+
+/// Distance of two outlines that do not cross: that of a corner of either.
+fn apart(a: &[Point], b: &[Point]) -> f64 {
+    let from = |corners: &[Point], to: &[Point]| {
+        let ring = Contour::polygon(to);
+        corners.iter().map(|p| ring.distance_to(*p)).fold(f64::INFINITY, f64::min)
+    };
+    from(a, b).min(from(b, a))
+}
+
+#[test]
+fn the_clearance_is_the_smallest_distance_of_all_places() {
+    let mut dish = Shell::default();
+    dish.former.shape = FormerShape::Dish { focal_length: 60.0, tip_diameter: 40.0, rim_diameter: 160.0 };
+    (dish.blank.follower_diameter, dish.roller.swivel_deg) = (24.0, 10.0);
+    for shell in [Shell::default(), dish] {
+        let input = input(&shell);
+        let proof = proved(&input);
+        let (body, nose) = (roller::body(&shell.roller), shell.roller.nose_radius);
+        let mut least = f64::INFINITY;
+        for m in &proof.moves {
+            for share in shares(&m.path, 1.0) {
+                let centre = m.path.point_at(share);
+                let placed: Vec<Point> = body.iter().map(|p| *p + (centre - Point::default())).collect();
+                for thing in obstacles::obstacles(&input) {
+                    let of_nose = Contour::polygon(&thing.outline).distance_to(centre) - nose;
+                    let of_nose = if thing.formed_on { f64::INFINITY } else { of_nose };
+                    least = least.min(apart(&placed, &thing.outline)).min(of_nose);
+                }
+            }
+        }
+        assert!((proof.clearance_mm - least).abs() < 1e-9, "{} {least}", proof.clearance_mm);
     }
 }
 

@@ -9,6 +9,13 @@ pub(super) fn check(checked: &Checked<'_>) -> Vec<Diagnostic> {
     const TRIMMED: f64 = 0.15;
     /// Rounding, mm.
     const ROUNDING_MM: f64 = 1e-6;
+    if let Some(given) = checked.shell.blank.diameter.filter(|d| !d.is_nan() && *d <= 0.0) {
+        let message = format!("The blank is {} in diameter; it must be more than 0.", checked.length(given));
+        return vec![
+            Diagnostic::error("blank-diameter", setting("blank.diameter"), message)
+                .with_hint("Leave the diameter to the program to have it by constant volume."),
+        ];
+    }
     let Some(shape) = checked.shape else { return Vec::new() };
     let (own, needed) = (shape.blank_radius, shape.volume_radius);
     let figures = format!(
@@ -45,6 +52,8 @@ mod tests {
     fn fires_for_too_little_and_too_much_metal() {
         assert_eq!(codes(check, &with_blank(70.0)), ["blank-small"]);
         assert_eq!(codes(check, &with_blank(120.0)), ["blank-large"]);
+        assert_eq!(codes(check, &with_blank(0.0)), ["blank-diameter"]);
+        assert_eq!(codes(check, &with_blank(-70.0)), ["blank-diameter"]);
         assert!(codes(check, &with_blank(78.0)).is_empty() && codes(check, &cone(30.0)).is_empty());
     }
 }

@@ -1,10 +1,12 @@
 //! The rules of the process, one a file.
 
+mod base_length;
 mod blank;
 mod cannot_form;
 mod feed;
 mod figures;
 mod follower;
+mod gap_tolerance;
 mod half_angle;
 mod material;
 mod passes;
@@ -33,9 +35,10 @@ pub(super) struct Checked<'a> {
 
 type Rule = fn(&Checked<'_>) -> Vec<Diagnostic>;
 
-const RULES: [Rule; 15] = [
+const RULES: [Rule; 17] = [
     figures::check,
     cannot_form::check,
+    base_length::check,
     turns_back::check,
     half_angle::check,
     passes::check,
@@ -48,6 +51,7 @@ const RULES: [Rule; 15] = [
     roller_fit::check,
     surface_speed::check,
     feed::check,
+    gap_tolerance::check,
     rig::check,
 ];
 

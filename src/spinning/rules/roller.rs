@@ -2,6 +2,7 @@
 
 use super::{Checked, setting};
 use crate::diagnostic::Diagnostic;
+use crate::spinning::limits::STATIONS;
 
 /// Rollers that are none.
 pub(super) fn check(checked: &Checked<'_>) -> Vec<Diagnostic> {
@@ -24,6 +25,12 @@ pub(super) fn check(checked: &Checked<'_>) -> Vec<Diagnostic> {
             roller.flank_deg > 0.0 && roller.flank_deg < 90.0,
             degrees(roller.flank_deg),
             "between 0° and 90°".to_owned(),
+        ),
+        (
+            "station",
+            STATIONS.contains(&roller.station),
+            roller.station.to_string(),
+            format!("{} to {}", STATIONS.start(), STATIONS.end()),
         ),
     ]
     .into_iter()
@@ -51,5 +58,7 @@ mod tests {
         shell.roller.nose_radius = -1.0;
         shell.roller.swivel_deg = 100.0;
         assert_eq!(codes(check, &shell).len(), 3);
+        shell.roller.station = 0;
+        assert_eq!(codes(check, &shell).len(), 4);
     }
 }

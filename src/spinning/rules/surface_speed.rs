@@ -9,13 +9,19 @@ const RANGE_M_PER_MIN: [f64; 2] = [304.8, 609.6];
 /// Surface speeds that are none, or outside the range.
 pub(super) fn check(checked: &Checked<'_>) -> Vec<Diagnostic> {
     let speeds = &checked.shell.speeds;
-    let place = setting("speeds.surface_m_per_min");
-    if !(speeds.surface_m_per_min > 0.0 && speeds.max_rpm > 0.0) {
-        let message = format!(
-            "Surface speed and highest spindle speed are {} m/min and {} rev/min; both must be more than 0.",
-            speeds.surface_m_per_min, speeds.max_rpm
-        );
-        return vec![Diagnostic::error("shell-speed", place, message)];
+    let none = [
+        ("speeds.surface_m_per_min", "surface speed", speeds.surface_m_per_min, "m/min"),
+        ("speeds.max_rpm", "highest spindle speed", speeds.max_rpm, "rev/min"),
+    ]
+    .into_iter()
+    .filter(|(_, _, value, _)| value.is_nan() || *value <= 0.0)
+    .map(|(path, name, value, unit)| {
+        let message = format!("The {name} is {value} {unit}; it must be more than 0.");
+        Diagnostic::error("shell-speed", setting(path), message)
+    })
+    .collect::<Vec<_>>();
+    if !none.is_empty() {
+        return none;
     }
     let Some(shape) = checked.shape else { return Vec::new() };
     // The clamp may keep the speed below what is asked for: what counts is reached at the base.
@@ -27,7 +33,7 @@ pub(super) fn check(checked: &Checked<'_>) -> Vec<Diagnostic> {
     let message = format!(
         "The surface speed at the base is {reached:.0} m/min; best results come between {least:.0} and {most:.0} m/min."
     );
-    vec![Diagnostic::new(Severity::Info, "surface-speed", place, message)]
+    vec![Diagnostic::new(Severity::Info, "surface-speed", setting("speeds.surface_m_per_min"), message)]
 }
 
 #[cfg(test)]
@@ -46,5 +52,7 @@ mod tests {
         assert_eq!(codes(check, &shell), ["surface-speed"]);
         shell.speeds.max_rpm = 0.0;
         assert_eq!(codes(check, &shell), ["shell-speed"]);
+        shell.speeds.surface_m_per_min = f64::NAN;
+        assert_eq!(codes(check, &shell), ["shell-speed", "shell-speed"]);
     }
 }
