@@ -39,6 +39,8 @@ pub enum Action {
     SendAllTheSame,
     /// Put the slider to the selected block.
     ShowBlock,
+    /// Emergency stop of the rig.
+    StopRig,
     /// Save, then do this.
     SaveThen(Box<Action>),
     /// Give up unsaved work, then do this.

@@ -43,6 +43,7 @@ impl Desk {
             Action::Recover(index) => self.open_recovered(ctx, index),
             Action::ForgetRecovered(index) => self.forget_recovered(index),
             Action::Close => self.session = None,
+            Action::StopRig => self.views.shell.emergency_stop(),
             Action::Quit => {
                 self.session = None;
                 ctx.send_viewport_cmd(ViewportCommand::Close);
@@ -96,7 +97,8 @@ impl Desk {
         let ctx = ctx.clone();
         let make = move || crate::worker::regenerating(Arc::clone(&catalog));
         self.session = Some(Session::new(document, origin, make, move || ctx.request_repaint()));
-        self.views = Views::default();
+        let shell = std::mem::take(&mut self.views.shell).for_another_document();
+        self.views = Views { shell, ..Views::default() };
         self.after_save = None;
     }
 

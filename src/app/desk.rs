@@ -263,6 +263,8 @@ impl Desk {
         }
         let dropped = ui.input(|i| i.raw.dropped_files.first().map(|file| file.path().to_owned()));
         requests.actions.extend(dropped.map(|path| self.open_dropped(path)));
+        let shown = self.session.as_ref().filter(|_| self.dialog.is_none());
+        self.views.shell.tick(ui, shown);
         self.frame(ui, &mut requests);
         self.dialogs(&ctx, &mut requests.actions);
         self.toasts.show(&ctx);
@@ -320,7 +322,8 @@ impl Desk {
         let layout = self.layouts.entry(kind).or_insert_with(|| Layout::standard(kind));
         let hindrance = self.session.as_ref().and_then(|s| self.transfer.hindrance(s));
         Panel::top("header").frame(bar(Margin::symmetric(14, 7))).show(ui, |ui| {
-            menus::show(ui, self.session.as_ref(), layout, hindrance.as_deref(), requests);
+            let rig = self.views.shell.is_live();
+            menus::show(ui, self.session.as_ref(), layout, (hindrance.as_deref(), rig), requests);
         });
         if let Some(session) = &self.session {
             Panel::bottom("status").frame(bar(Margin::symmetric(14, 4))).show(ui, |ui| {

@@ -13,12 +13,13 @@ use crate::session::{SaveState, Session, Verdict};
 use crate::units::trimmed;
 use egui::{Align, Button, KeyboardShortcut, RichText, Ui};
 
-/// Shows the line.
+/// Shows the line. `hindrance` is why nothing can be sent; while a rig is live its emergency stop stands here, whatever else
+/// is shown.
 pub(crate) fn show(
     ui: &mut Ui,
     session: Option<&Session>,
     layout: &Layout,
-    hindrance: Option<&str>,
+    (hindrance, rig_is_live): (Option<&str>, bool),
     requests: &mut Requests,
 ) {
     let colors = Colors::of(ui.visuals());
@@ -31,6 +32,12 @@ pub(crate) fn show(
         view(ui, layout, requests);
         machine(ui, session, hindrance, requests);
         help(ui, requests);
+        if rig_is_live {
+            ui.add_space(8.0);
+            if super::shell::stop_button(ui) {
+                requests.actions.push(Action::StopRig);
+            }
+        }
         if let Some(session) = session {
             name(ui, session, colors);
             ui.with_layout(egui::Layout::right_to_left(Align::Center), |ui| {

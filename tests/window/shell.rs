@@ -61,6 +61,99 @@ fn a_figure_is_typed_and_everything_follows() {
     assert_eq!(window.session().history().undo_label(), Some("half angle"));
 }
 
+/// Types a text into a field and leaves it.
+fn type_into(window: &mut Window, name: &str, text: &str) {
+    let field = window.harness.get_by_label(name);
+    field.scroll_to_me();
+    window.harness.run_steps(4);
+    window.harness.get_by_label(name).focus();
+    window.harness.run_steps(2);
+    window.harness.event(egui::Event::Text(text.to_owned()));
+    window.harness.run_steps(2);
+    window.harness.key_press(Key::Enter);
+    window.until_current();
+}
+
+#[test]
+fn lubricant_follower_flank_and_station_are_typed() {
+    let mut window = open("CONE");
+    type_into(&mut window, "Follower length", "55");
+    type_into(&mut window, "Lubricant", "tallow and graphite");
+    type_into(&mut window, "Flank angle", "25");
+    type_into(&mut window, "Turret station", "3");
+    window.keep_picture("shell-fields");
+    let made = shell(&mut window);
+    assert_eq!((made.blank.follower_length, made.roller.flank_deg, made.roller.station), (55.0, 25.0, 3));
+    assert_eq!(made.lubricant, "tallow and graphite");
+    let program = window.session().derived().and_then(|d| d.shell.clone()).expect("a shell").programs[0].text.clone();
+    assert!(program.contains("T3"), "{program}");
+}
+
+#[test]
+fn rows_of_a_former_get_their_type_and_its_figures() {
+    let mut window = open("CONE");
+    choose(&mut window, "Contour", "section table");
+    window.until_current();
+    window.harness.get_by_label("Type of row 1").scroll_to_me();
+    window.harness.run_steps(4);
+    choose(&mut window, "Type of row 1", "convex");
+    window.until_current();
+    type_into(&mut window, "Radius of row 1", "20");
+    window.keep_picture("shell-rows");
+    let FormerShape::Sections { sections } = shell(&mut window).former.shape else { panic!("a table") };
+    assert_eq!(sections[0].kind, turnwright::part::SectionKind::Convex { radius: 20.0 });
+    let told =
+        |window: &mut Window| window.session().problems().iter().any(|d| d.message.contains("at least 28.868 mm"));
+    assert!(told(&mut window), "{:?}", window.session().problems());
+    assert!(
+        window.harness.query_all_by_label_contains("at least 28.868 mm").next().is_some(),
+        "said where the drawing would be"
+    );
+    type_into(&mut window, "Radius of row 1", "120");
+    assert!(!told(&mut window) && window.session().derived().is_some_and(|d| d.shell.is_some()));
+    type_into(&mut window, "z end of row 1", "1000000");
+    let said = window.session().problems().iter().any(|d| d.code == "shell-figure");
+    assert!(said, "{:?}", window.session().problems());
+}
+
+#[test]
+fn the_emergency_stop_is_in_reach_whatever_is_shown() {
+    let mut window = open("CONE");
+    set_up(&mut window);
+    lead(&mut window, &["C  this shell", "Run"]);
+    window.harness.run_steps(30);
+    // Another document: the rig goes on, and the head of the window holds its stop.
+    let ctx = window.harness.ctx.clone();
+    window.desk().act(&ctx, turnwright::app::Action::New(Kind::TurnedPart));
+    window.until_current();
+    assert_eq!(window.session().document().content.kind(), Kind::TurnedPart);
+    window.keep_picture("stop-in-the-head");
+    window.click("Emergency stop");
+    assert!(window.harness.query_by_label("Emergency stop").is_none());
+    // By the key, with a question open.
+    let mut window = open("CONE");
+    set_up(&mut window);
+    lead(&mut window, &["C  this shell", "Run"]);
+    window.harness.run_steps(30);
+    window.harness.key_press(Key::F1);
+    window.harness.run_steps(3);
+    window.harness.key_press(Key::Escape);
+    window.harness.run_steps(4);
+    window.harness.key_press(Key::Escape);
+    window.harness.run_steps(4);
+    assert!(window.harness.query_by_label("Emergency stop by the operator.").is_some());
+}
+
+#[test]
+fn a_shell_that_breaks_a_rule_is_not_run() {
+    let mut window = open("CONE");
+    type_into(&mut window, "Half angle", "10");
+    set_up(&mut window);
+    lead(&mut window, &["C  this shell", "Run"]);
+    assert!(window.harness.query_by_label_contains("Not started: The wall stands at 10.0°").is_some());
+    window.keep_picture("not-started");
+}
+
 #[test]
 fn the_base_is_dragged_and_undone_in_one_step() {
     let mut window = open("CONE");
@@ -150,6 +243,36 @@ fn faults_stop_the_run_and_runs_are_compared() {
     window.click("published measurements");
     window.harness.run_steps(2);
     window.keep_picture("measurements");
+}
+
+#[test]
+fn the_workspace_works_in_the_dark() {
+    let mut window = Window::with_theme(egui::Theme::Dark);
+    window.open_example("CONE");
+    window.keep_picture("dark-shell");
+    window.click("Rig");
+    choose(&mut window, "Pace", "at once");
+    set_up(&mut window);
+    lead(&mut window, &["A  cone", "2", "9", "Enter"]);
+    window.keep_picture("dark-wrong-entry");
+    lead(&mut window, &["5", "0", "Enter", "1", "6", "Enter", "3", "0", "Enter", "No", "No", "Run"]);
+    window.harness.run_steps(4);
+    window.keep_picture("dark-completed");
+    lead(&mut window, &["No"]);
+    choose(&mut window, "Fault", "valve stuck shut");
+    lead(&mut window, &["C  this shell", "Run"]);
+    window.harness.run_steps(4);
+    assert!(window.harness.query_by_label_contains("could not be drawn back").is_some());
+    window.keep_picture("dark-stopped");
+    window.click("Runs");
+    window.click("published measurements");
+    window.harness.run_steps(2);
+    window.keep_picture("dark-measurements");
+    window.harness.get_by_label("Lubricant").scroll_to_me();
+    window.harness.run_steps(6);
+    window.click("Wall");
+    window.harness.run_steps(2);
+    window.keep_picture("dark-wall");
 }
 
 #[test]

@@ -4,7 +4,7 @@ use crate::app::theme::{self, Colors};
 use egui::{Grid, RichText, Ui};
 
 /// Keys and what they do, by place.
-const KEYS: [(&str, &[(&str, &str)]); 5] = [
+const KEYS: [(&str, &[(&str, &str)]); 6] = [
     (
         "Everywhere",
         &[
@@ -36,6 +36,13 @@ const KEYS: [(&str, &[(&str, &str)]); 5] = [
             ("Insert, Ctrl+D", "add / duplicate an instruction"),
             ("Alt+↑ / Alt+↓", "move it"),
             ("Ctrl+Delete", "take it out"),
+        ],
+    ),
+    (
+        "Rig of a shell",
+        &[
+            ("Space, Enter, letters, digits", "answer the operator's panel"),
+            ("Escape", "emergency stop while it runs, whatever is shown"),
         ],
     ),
     (

@@ -2,7 +2,10 @@
 
 use crate::app::plots::Palette;
 use egui::{Color32, Ui};
-use egui_plot::{AxisHints, HLine, HoverPosition, Line, LineStyle, Plot, PlotPoints, PlotUi, Points};
+use egui_plot::{
+    AxisHints, GridInput, GridMark, HLine, HoverPosition, Line, LineStyle, Plot, PlotPoints, PlotUi, Points,
+};
+use std::ops::RangeInclusive;
 
 /// A chart with names of its axes.
 pub(super) fn chart(
@@ -16,8 +19,10 @@ pub(super) fn chart(
     let plot = Plot::new(name.to_owned())
         .width(size.x)
         .height(size.y)
-        .custom_x_axes(vec![AxisHints::new_x().label(x).label_spacing(labels)])
-        .custom_y_axes(vec![AxisHints::new_y().label(y)])
+        .custom_x_axes(vec![AxisHints::new_x().label(x).label_spacing(labels).formatter(figure)])
+        .custom_y_axes(vec![AxisHints::new_y().label(y).formatter(figure)])
+        .x_grid_spacer(|input| round_steps(&input))
+        .y_grid_spacer(|input| round_steps(&input))
         .include_y(0.0)
         .allow_scroll(false)
         .show_background(false)
@@ -31,6 +36,32 @@ pub(super) fn chart(
         ui.visuals_mut().widgets.noninteractive.fg_stroke.color = quiet;
         plot.show(ui, content);
     });
+}
+
+/// The figure at a grid line, with as many decimals as its step has.
+fn figure(mark: GridMark, _: &RangeInclusive<f64>) -> String {
+    let decimals = (-mark.step_size.log10().floor()).clamp(0.0, 6.0);
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 0..=6")]
+    let decimals = if decimals.is_finite() { decimals as usize } else { 0 };
+    crate::app::plots::fixed(mark.value, decimals)
+}
+
+/// Grid lines at steps of 1, 2 or 5 times a power of ten, so far apart that each has room for its figure.
+fn round_steps(input: &GridInput) -> Vec<GridMark> {
+    /// Smallest steps of the plot in one of ours.
+    const ROOM: f64 = 6.0;
+    /// More lines than any chart has room for.
+    const MOST: u32 = 200;
+    let least = input.base_step_size * ROOM;
+    let power = 10.0_f64.powf(least.log10().floor());
+    let step = [1.0, 2.0, 5.0, 10.0].map(|k| k * power).into_iter().find(|step| *step >= least).unwrap_or(least);
+    let (from, to) = input.bounds;
+    if !(step.is_finite() && step > 0.0 && from.is_finite() && to.is_finite()) {
+        return Vec::new();
+    }
+    let first = (from / step).ceil();
+    let marks = (0..MOST).map(|k| (first + f64::from(k)) * step).take_while(|value| *value <= to);
+    marks.map(|value| GridMark { value, step_size: step }).collect()
 }
 
 /// A line by points, thinned to what a chart can show.

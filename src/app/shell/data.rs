@@ -1,15 +1,15 @@
 //! The parameter table of a shell.
 
-use super::form::{Counts, figure, heading, row};
-use super::{edit, rows, shell};
+use super::form::{Counts, figure, heading, pick, row, words};
+use super::{rows, shell};
 use crate::app::actions::Action;
 use crate::app::desk::Requests;
 use crate::app::theme::{self, Colors};
-use crate::app::widgets::{choice, form_label, link, title_row};
+use crate::app::widgets::{link, title_row};
 use crate::document::{Content, Document, FORMAT_VERSION, FormerShape, Forming, Shell};
 use crate::session::Session;
 use crate::spinning;
-use crate::spinning::limits::MOST_PASSES;
+use crate::spinning::limits::{LONGEST_LUBRICANT, MOST_PASSES};
 use crate::spinning::material::materials;
 use crate::units::Unit;
 use egui::{ScrollArea, Ui};
@@ -118,10 +118,13 @@ fn blank(ui: &mut Ui, session: &mut Session, shell: &Shell) {
     row(ui, session, ("Diameter", "blank.diameter"), &shown, unit.symbol(), read, |s, v| s.blank.diameter = v);
     let follower = ("Follower ⌀", "blank.follower_diameter");
     figure(ui, session, follower, blank.follower_diameter, Counts::Length, |s, v| s.blank.follower_diameter = v);
+    let follower = ("Follower length", "blank.follower_length");
+    figure(ui, session, follower, blank.follower_length, Counts::Length, |s, v| s.blank.follower_length = v);
     let names: Vec<(&str, &str)> = materials().iter().map(|m| (m.name, m.name)).collect();
     pick(ui, session, "Material", &shell.material.as_str(), &names, |shell, name| {
         (*name).clone_into(&mut shell.material);
     });
+    words(ui, session, "Lubricant", &shell.lubricant, LONGEST_LUBRICANT, |s, v| s.lubricant = v);
     let forming = [(Forming::Shear, "flow-turning"), (Forming::Spinning, "spinning")];
     pick(ui, session, "Process", &shell.forming, &forming, |shell, forming| shell.forming = *forming);
     let passes = shell.passes.to_string();
@@ -141,6 +144,10 @@ fn roller(ui: &mut Ui, session: &mut Session, shell: &Shell) {
     figure(ui, session, ("Roller ⌀", "roller.diameter"), r.diameter, Counts::Length, |s, v| s.roller.diameter = v);
     figure(ui, session, ("Width", "roller.width"), r.width, Counts::Length, |s, v| s.roller.width = v);
     figure(ui, session, ("Swivel", "roller.swivel_deg"), r.swivel_deg, DEGREES, |s, v| s.roller.swivel_deg = v);
+    figure(ui, session, ("Flank angle", "roller.flank_deg"), r.flank_deg, DEGREES, |s, v| s.roller.flank_deg = v);
+    let read = |text: &str| text.trim().parse::<u32>().map_err(|_| format!("\"{text}\" is no whole figure."));
+    let station = r.station.to_string();
+    row(ui, session, ("Turret station", "roller.station"), &station, "", read, |s, v| s.roller.station = v);
 }
 
 fn program(ui: &mut Ui, session: &mut Session, shell: &Shell, requests: &Requests) {
@@ -196,24 +203,4 @@ fn results(ui: &mut Ui, session: &Session) {
             ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| ui.label(value));
         });
     }
-}
-
-/// A choice in the place of a field.
-fn pick<T: PartialEq + Clone>(
-    ui: &mut Ui,
-    session: &mut Session,
-    label: &str,
-    present: &T,
-    all: &[(T, &str)],
-    write: impl FnOnce(&mut Shell, &T),
-) {
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = 6.0;
-        let field = 148.0;
-        form_label(ui, label, (ui.available_width() - field - 6.0).max(60.0));
-        let all: Vec<(T, String)> = all.iter().map(|(value, text)| (value.clone(), (*text).to_owned())).collect();
-        if let Some(chosen) = choice(ui, label, present, &all, field) {
-            edit(session, &label.to_lowercase(), None, |shell| write(shell, &chosen));
-        }
-    });
 }

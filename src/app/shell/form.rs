@@ -1,7 +1,8 @@
 //! Rows of the parameter table: label, field, unit.
 
+use super::edit;
 use crate::app::theme::{self, Colors};
-use crate::app::widgets::{Typed, field, form_label};
+use crate::app::widgets::{Typed, choice, field, form_label};
 use crate::document::{Content, Shell};
 use crate::session::Session;
 use crate::units::{Unit, parse_length};
@@ -11,6 +12,8 @@ use egui::Ui;
 const FIELD: f32 = 96.0;
 /// Width of the unit behind it, points.
 const UNIT: f32 = 46.0;
+/// Width of a choice, points: that of a field with its unit.
+const CHOICE: f32 = FIELD + UNIT + 6.0;
 
 /// What a figure counts.
 #[derive(Clone, Copy)]
@@ -73,11 +76,56 @@ pub(super) fn row<T>(
     });
 }
 
+/// A field for words below its label, as wide as the panel, for at most `longest` characters.
+pub(super) fn words(
+    ui: &mut Ui,
+    session: &mut Session,
+    label: &str,
+    shown: &str,
+    longest: usize,
+    write: impl FnOnce(&mut Shell, String),
+) {
+    let read = |text: &str| {
+        let count = text.trim().chars().count();
+        if text.chars().any(char::is_control) {
+            Err("Enter letters and figures of one line.".to_owned())
+        } else if count > longest {
+            Err(format!("The text has {count} characters; the limit is {longest}."))
+        } else {
+            Ok(text.trim().to_owned())
+        }
+    };
+    form_label(ui, label, ui.available_width());
+    let typed = field(ui, label, shown, ui.available_width(), read);
+    put(typed, session, label, write);
+}
+
+/// A choice in the place of a field.
+pub(super) fn pick<T: PartialEq + Clone>(
+    ui: &mut Ui,
+    session: &mut Session,
+    label: &str,
+    present: &T,
+    all: &[(T, &str)],
+    write: impl FnOnce(&mut Shell, &T),
+) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = 6.0;
+        form_label(ui, label, (ui.available_width() - CHOICE - 6.0).max(60.0));
+        let all: Vec<(T, String)> = all.iter().map(|(value, text)| (value.clone(), (*text).to_owned())).collect();
+        if let Some(chosen) = choice(ui, label, present, &all, CHOICE) {
+            edit(session, &label.to_lowercase(), None, |shell| write(shell, &chosen));
+        }
+    });
+}
+
 /// The worst message about a figure.
 fn problem(session: &Session, path: &str) -> Option<String> {
     use crate::diagnostic::{Place, Severity};
-    // What is said of a whole list is said of every row of it.
-    let about = |p: &str| path.strip_prefix(p).is_some_and(|rest| rest.is_empty() || rest.starts_with('['));
+    // What is said of a whole list is said of every row of it, what is said of a row of every figure in it.
+    let of_row = |p: &str, rest: &str| p.ends_with(']') && rest.starts_with('.');
+    let about =
+        |p: &str| path.strip_prefix(p).is_some_and(|rest| rest.is_empty() || rest.starts_with('[') || of_row(p, rest));
     let about = |at: &Place| matches!(at, Place::Setting { path: p } if about(p));
     session.problems().iter().find(|d| about(&d.at) && d.severity != Severity::Info).map(|d| d.message.clone())
 }

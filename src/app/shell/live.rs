@@ -3,6 +3,7 @@
 use super::port::RigPort;
 use super::ran::Ran;
 use super::shell;
+use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::document::RigChoices;
 use crate::session::Session;
 use crate::spinning::control::{Moves, Phase, Plan, Watch};
@@ -90,15 +91,25 @@ impl Live {
         self.runs.last()
     }
 
-    /// Lets the rig's time pass and reads the operator's keys, once a frame.
-    pub(super) fn tick(&mut self, ui: &Ui, session: &Session) {
+    /// True while the rig runs, or the line to one is open: it may be told to stop at any moment.
+    pub(super) const fn is_live(&self) -> bool {
+        self.running || self.port.is_open()
+    }
+
+    /// Lets the rig's time pass and reads the operator's keys, once a frame. They are read while a shell is `shown`; the key
+    /// of the emergency stop always.
+    pub(super) fn tick(&mut self, ui: &Ui, shown: Option<&Session>) {
         let frame = ui.ctx().cumulative_frame_nr();
         if std::mem::replace(&mut self.frame, frame) == frame {
             return;
         }
         self.ctx.get_or_insert_with(|| ui.ctx().clone());
-        self.sequence.set_design(session.derived().is_some_and(|d| d.shell.is_some()));
-        self.keys(ui, session);
+        if self.is_live() && ui.input(|i| i.key_pressed(egui::Key::Escape)) {
+            self.emergency_stop();
+        } else if let Some(session) = shown {
+            self.sequence.set_design(session.derived().is_some_and(|d| d.shell.is_some()));
+            self.keys(ui, session);
+        }
         for event in self.port.events() {
             self.heard(&event);
         }
@@ -153,12 +164,8 @@ impl Live {
         }
     }
 
-    /// Keys go to the sequence while no text is edited; Escape is emergency stop while the rig runs, whatever is edited.
+    /// Keys go to the sequence while no text is edited.
     fn keys(&mut self, ui: &Ui, session: &Session) {
-        if (self.running || self.port.is_open()) && ui.input(|i| i.key_pressed(egui::Key::Escape)) {
-            self.press(Key::Emergency, session);
-            return;
-        }
         if ui.memory(|m| m.focused().is_some()) {
             return;
         }
@@ -185,6 +192,12 @@ impl Live {
             Some(Command::EmergencyStop) => self.stop(),
             Some(Command::Bell | Command::StartPump) | None => {}
         }
+    }
+
+    /// The operator's emergency stop, from wherever it is asked for.
+    pub(super) fn emergency_stop(&mut self) {
+        self.sequence.take(Event::Key(Key::Emergency));
+        self.stop();
     }
 
     /// Another rig is chosen; it is set up from the beginning.
@@ -214,9 +227,12 @@ impl Live {
     }
 
     fn start(&mut self, job: Job, session: &Session) {
-        let Some((plan, model)) = self.plan(job, session) else {
-            self.sequence.take(Event::Stopped("The shell is not ready; correct its figures first.".to_owned()));
-            return;
+        let (plan, model) = match self.plan(job, session) {
+            Ok(made) => made,
+            Err(reason) => {
+                self.sequence.take(Event::Stopped(reason));
+                return;
+            }
         };
         let mut name = job.name();
         if self.setting.arithmetic == Arithmetic::AsPublished && job != Job::Design {
@@ -254,19 +270,23 @@ impl Live {
         Ran::Simulated(Box::new(Run::new(plan, SimulatedRig::new(model, faults))))
     }
 
-    fn plan(&self, job: Job, session: &Session) -> Option<(Plan, RigModel)> {
-        let made = session.derived()?.shell.as_ref()?;
-        let wrong = |d: &crate::diagnostic::Diagnostic| d.code == "rig" || d.code == "shell-figure";
-        if session.problems().iter().any(wrong) {
-            return None;
+    /// The run of a job, or why there is none: figures that break a rule never reach a rig.
+    fn plan(&self, job: Job, session: &Session) -> Result<(Plan, RigModel), String> {
+        const NOT_READY: &str = "The shell is not ready; correct its figures first.";
+        let made = session.derived().and_then(|d| d.shell.as_ref()).ok_or(NOT_READY)?;
+        let of_the_rig = |d: &Diagnostic| d.code == "rig" || d.code == "shell-figure";
+        let of_the_shell = |d: &Diagnostic| matches!(d.at, Place::Setting { .. }) && d.severity == Severity::Error;
+        let wrong = |d: &&Diagnostic| of_the_rig(d) || (job == Job::Design && of_the_shell(d));
+        if let Some(wrong) = session.problems().iter().find(wrong) {
+            return Err(format!("Not started: {}", wrong.message));
         }
         let rig: &RigChoices = &made.shell.rig;
         let model = RigModel::new(rig.rpm, rig.feed_per_rev);
         let watch = Watch { limit_mm: rig.path_limit, carriage_mm_per_s: model.carriage_mm_per_s() };
         let watch = (!self.setting.unwatched).then_some(watch);
         let plan = job.plan(&made.set_points, self.setting.arithmetic, watch);
-        let usable = shell(session).is_some() && !plan.targets.is_empty();
-        usable.then_some((plan, model))
+        let usable = session.is_current() && shell(session).is_some() && !plan.targets.is_empty();
+        if usable { Ok((plan, model)) } else { Err(NOT_READY.to_owned()) }
     }
 
     /// Emergency stop. A rig behind a line goes on telling until its roller is back; the simulated one is let run out at

@@ -20,6 +20,7 @@ use crate::document::{Content, Shell};
 use crate::session::{GestureId, Session};
 use egui::Ui;
 use live::Live;
+pub(crate) use operator::stop_button;
 
 /// What the panels keep.
 #[derive(Debug, Default)]
@@ -31,6 +32,30 @@ pub(crate) struct ShellViews {
     comparison: runs::Comparison,
 }
 
+impl ShellViews {
+    /// Lets the rig's time pass and reads the operator's keys, whichever panels are shown. `shown` is the session of a shell
+    /// that has the keyboard; the key of the emergency stop works without, too.
+    pub(crate) fn tick(&mut self, ui: &Ui, shown: Option<&Session>) {
+        let is_shell = |session: &&Session| shell(session).is_some();
+        self.live.tick(ui, shown.filter(is_shell));
+    }
+
+    /// True while the rig runs, or the line to one is open.
+    pub(crate) const fn is_live(&self) -> bool {
+        self.live.is_live()
+    }
+
+    /// Draws the roller back and switches everything off.
+    pub(crate) fn emergency_stop(&mut self) {
+        self.live.emergency_stop();
+    }
+
+    /// What stays when another document is opened: the rig while it runs, for it must still be stopped.
+    pub(crate) fn for_another_document(self) -> Self {
+        if self.is_live() { Self { live: self.live, ..Self::default() } } else { Self::default() }
+    }
+}
+
 /// Shows a panel of a shell; true if it is dragged by its title.
 pub(crate) fn show(
     ui: &mut Ui,
@@ -40,13 +65,12 @@ pub(crate) fn show(
     views: &mut ShellViews,
     requests: &mut Requests,
 ) -> bool {
-    views.live.tick(ui, session);
     match pane {
         Pane::ShellData => data::show(ui, titled, session, requests),
         Pane::ShellView => view::show(ui, titled, session, views, requests),
         Pane::Wall => wall::show(ui, titled, session),
         Pane::Operator => operator::show(ui, titled, session, views),
-        Pane::Rig => rig::show(ui, titled, session, views),
+        Pane::Rig => rig::show(ui, titled, views),
         Pane::Runs => runs::show(ui, titled, views),
         _ => false,
     }

@@ -106,9 +106,9 @@ fn wide_stop(ui: &mut Ui) -> bool {
     stop(ui, vec2(width, 46.0), 17.0)
 }
 
-/// The emergency stop in a title row.
-pub(super) fn stop_button(ui: &mut Ui) -> bool {
-    stop(ui, vec2(120.0, 22.0), theme::TEXT)
+/// The emergency stop in the head of the window.
+pub(crate) fn stop_button(ui: &mut Ui) -> bool {
+    stop(ui, vec2(130.0, 28.0), theme::TEXT + 0.5)
 }
 
 fn stop(ui: &mut Ui, size: egui::Vec2, font: f32) -> bool {

@@ -6,9 +6,7 @@ use super::live::{Live, Made, Pace, Setting};
 use crate::app::plots::Palette;
 use crate::app::theme::{self, Colors};
 use crate::app::widgets::{Typed, choice, field, title_row};
-use crate::session::Session;
 use crate::spinning::control::Moves;
-use crate::spinning::operator::Key;
 use crate::spinning::published::{Arithmetic, MM_PER_PULSE, MM_PER_STEP};
 use crate::spinning::rig::Fault;
 use egui::{Ui, vec2};
@@ -30,13 +28,10 @@ struct RunLines {
 }
 
 /// Shows the panel; true if it is dragged by its title.
-pub(super) fn show(ui: &mut Ui, titled: bool, session: &Session, views: &mut ShellViews) -> bool {
+pub(super) fn show(ui: &mut Ui, titled: bool, views: &mut ShellViews) -> bool {
     let running = views.live.is_running();
     let remark = views.live.newest().map_or_else(String::new, status);
     let dragged = title_row(ui, titled.then_some("Rig"), &remark, |ui| {
-        if (running || views.live.port.is_open()) && super::operator::stop_button(ui) {
-            views.live.press(Key::Emergency, session);
-        }
         if !running {
             which_rig(ui, &mut views.live);
         }

@@ -1,9 +1,11 @@
 //! Former and roller.
 
-use super::{ShellViews, edit, operator};
+use super::{ShellViews, edit};
 use crate::app::desk::Requests;
 use crate::app::plots::{Palette, Phase, ShellEvent, ShellScene, shell_plot};
+use crate::app::theme::{self, Colors};
 use crate::app::widgets::{link, title_row, toggle};
+use crate::diagnostic::Severity;
 use crate::geometry::Point;
 use crate::session::Session;
 use crate::spinning::operator::Job;
@@ -32,12 +34,12 @@ pub(super) fn show(
         let mut full = !views.plot.half;
         toggle(ui, &mut full, "full section");
         views.plot.half = !full;
-        if views.live.is_running() && operator::stop_button(ui) {
-            views.live.press(crate::spinning::operator::Key::Emergency, session);
-        }
     });
     let Some(derived) = session.derived().cloned() else { return dragged };
-    let Some(made) = &derived.shell else { return dragged };
+    let Some(made) = &derived.shell else {
+        nothing_to_draw(ui, session);
+        return dragged;
+    };
     let palette = Palette::of(ui.visuals());
     let scene =
         ShellScene { made, machine: derived.machine.as_deref(), unit, roller: roller(views, made), palette: &palette };
@@ -60,6 +62,17 @@ pub(super) fn show(
         }
     }
     dragged
+}
+
+/// Why there is no shell, in the place where it would be.
+pub(super) fn nothing_to_draw(ui: &mut Ui, session: &Session) {
+    let colors = Colors::of(ui.visuals());
+    ui.add_space(12.0);
+    ui.label(theme::quiet("The figures give no shell yet.", colors));
+    let errors = session.problems().iter().filter(|d| d.severity == Severity::Error);
+    for said in errors.take(3) {
+        ui.label(theme::quiet(&said.message, colors));
+    }
 }
 
 /// Where the roller of the newest run of this shell stands; while none runs it is at its approach.
