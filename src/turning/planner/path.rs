@@ -20,6 +20,9 @@ const TOUCH_MM: f64 = 1e-5;
 /// A vertical move counts with this width, mm: a function of z needs one.
 const UPRIGHT_MM: f64 = 1e-6;
 
+/// Parts of an arc in which its chip is measured: for controls that cannot take it the post makes chords of it.
+const CHIP_PARTS: u32 = 4;
+
 /// The moves of one operation so far. Places are as the tool sees them; the moves are the machine's.
 #[derive(Debug, Clone)]
 pub(super) struct Path<'a> {
@@ -198,13 +201,25 @@ impl<'a> Path<'a> {
         }
     }
 
-    /// Mean width of the chip along a segment, mm, where the spindle's power asks for it.
+    /// Width of the chip along a segment, mm, where the spindle's power asks for it: the mean of a line, the largest mean of an
+    /// arc's parts.
     fn chip_width(&self, segment: &Segment, swept: Option<&Chain>) -> f64 {
         let Some(low) = swept.filter(|_| self.conditions.knows_power()) else { return 0.0 };
         let bounds = segment.bounds();
         let (z0, z1) = self.window(bounds.min.z, bounds.max.z);
-        let stock = higher(&self.work.stock, z0, z1, bounds.min.r + self.cutter.low);
-        stock.area_over(low) / segment.length().max(NO_MOVE_MM)
+        let mut stock = higher(&self.work.stock, z0, z1, bounds.min.r + self.cutter.low);
+        let Segment::Arc { center, ccw, .. } = *segment else {
+            return stock.area_over(low) / segment.length().max(NO_MOVE_MM);
+        };
+        let at = |k: u32| segment.point_at(f64::from(k) / f64::from(CHIP_PARTS));
+        let mut width = |k: u32| {
+            let part = Segment::Arc { start: at(k), end: at(k + 1), center, ccw };
+            let low = left_along(&self.cutter.edge, &part);
+            let area = stock.area_over(&low);
+            stock.cut(&low);
+            area / part.length().max(NO_MOVE_MM)
+        };
+        (0..CHIP_PARTS).map(&mut width).fold(0.0, f64::max)
     }
 
     /// True if there may be stock on the way along a segment.
