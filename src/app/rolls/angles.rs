@@ -155,6 +155,10 @@ impl Sheet for Angles<'_> {
         self.bends.get(row).map_or_else(|| "r".to_owned(), |bend| words::number(self.set, bend.id))
     }
 
+    fn key(&self, row: usize) -> u32 {
+        self.bends.get(row).map_or(u32::MAX, |bend| bend.id)
+    }
+
     fn cell(&self, row: usize, column: usize) -> Cell {
         let Some(bend) = self.bends.get(row) else { return self.sharpened(column) };
         if let Some(angles) = self.at_stations.get(column) {

@@ -152,6 +152,10 @@ impl Sheet for Elements<'_> {
         self.list().len()
     }
 
+    fn key(&self, row: usize) -> u32 {
+        self.list().get(row).map_or(u32::MAX, |element| element.id)
+    }
+
     fn cell(&self, row: usize, column: usize) -> Cell {
         let Some(element) = self.list().get(row) else { return Cell::default() };
         let length = |mm| fixed(mm, self.unit.decimals());

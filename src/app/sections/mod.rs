@@ -3,19 +3,17 @@
 pub(crate) mod cells;
 mod generator;
 mod icon;
-mod keys;
 mod rows;
+mod sheet;
 mod stock;
-mod table;
 pub(crate) mod tsv;
 
 use super::desk::Requests;
+use super::sheet::{self as app_sheet, SheetView};
 use super::widgets::{link, title_row, toggle};
 use crate::diagnostic::{Column, SectionTable};
 use crate::session::Session;
 use egui::Ui;
-use std::collections::BTreeMap;
-use std::ops::RangeInclusive;
 
 /// Height kept for the stock under the table, points.
 const BELOW: f32 = 190.0;
@@ -27,43 +25,7 @@ const LEAST: f32 = 140.0;
 pub(crate) struct SectionsView {
     /// The table that is shown.
     table: SectionTable,
-    cursor: Cursor,
-    /// The cell under the cursor is being edited.
-    editing: Option<Editing>,
-    /// Texts that did not fit their cell, with the reason, by row id and column number.
-    bad: BTreeMap<(u32, usize), (String, String)>,
-    /// Scroll so that the cursor is seen.
-    reveal: bool,
-    /// Give the keyboard to the table.
-    take_focus: bool,
-}
-
-/// What is typed into a cell.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-struct Editing {
-    text: String,
-    /// What the cell showed before.
-    before: String,
-    /// The text that the document has been told of.
-    told: String,
-    /// Why the text does not fit the cell.
-    wrong: Option<String>,
-}
-
-/// The cell with the frame, and the other end of a selection of rows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-struct Cursor {
-    row: usize,
-    column: usize,
-    other_row: usize,
-    /// Whole rows are selected, not cells.
-    whole_rows: bool,
-}
-
-impl Cursor {
-    fn rows(self) -> RangeInclusive<usize> {
-        self.row.min(self.other_row)..=self.row.max(self.other_row)
-    }
+    sheet: SheetView,
 }
 
 impl SectionsView {
@@ -73,9 +35,15 @@ impl SectionsView {
         self.table = table;
         let columns = cells::columns(session.part().table(table));
         let column = column.and_then(|c| columns.iter().position(|other| *other == c)).unwrap_or(0);
-        self.cursor = Cursor { row, column, other_row: row, whole_rows: false };
-        self.reveal = true;
-        self.take_focus = true;
+        self.sheet.go_to(row, column);
+    }
+
+    /// Shows the table that the selected row is in.
+    fn follow(&mut self, session: &Session) {
+        let selected = session.selection.section.filter(|_| !self.sheet.is_editing());
+        if let Some((table, ..)) = selected.and_then(|id| session.part().row(id)) {
+            self.table = table;
+        }
     }
 }
 
@@ -97,7 +65,9 @@ pub(crate) fn show(
         add_row(view, session);
     }
     let height = (ui.available_height() - BELOW).max(LEAST);
-    table::show(ui, view, session, requests, height);
+    view.follow(session);
+    let rows = sheet::Rows::of(session, view.table);
+    app_sheet::show(ui, &rows, &mut view.sheet, session, requests, height);
     egui::ScrollArea::vertical().id_salt("below-table").auto_shrink([false, false]).show(ui, |ui| {
         ui.add_space(10.0);
         stock::show(ui, session, requests);
@@ -111,9 +81,8 @@ fn table_choice(ui: &mut Ui, view: &mut SectionsView, session: &mut Session) {
     for (table, name) in [(SectionTable::Bore, "bore"), (SectionTable::Outside, "outside")] {
         let mut on = view.table == table;
         if toggle(ui, &mut on, name).clicked() && view.table != table {
-            keys::commit(view, session, &cells::columns(session.part().table(view.table)));
-            view.table = table;
-            view.cursor = Cursor::default();
+            app_sheet::leave(&sheet::Rows::of(session, view.table), &mut view.sheet, session);
+            *view = SectionsView { table, ..SectionsView::default() };
             session.selection.section = session.part().table(table).first().map(|s| s.id);
         }
     }
@@ -122,10 +91,6 @@ fn table_choice(ui: &mut Ui, view: &mut SectionsView, session: &mut Session) {
 fn add_row(view: &mut SectionsView, session: &mut Session) {
     let table = view.table;
     let at = session.part().table(table).len();
-    let mut id = 0;
-    session.edit_part("add a row", None, |part| id = rows::insert(part, table, at));
-    session.selection.section = Some(id);
-    view.cursor = Cursor { row: at, column: 1, other_row: at, whole_rows: false };
-    view.reveal = true;
-    view.take_focus = true;
+    session.edit_part("add a row", None, |part| _ = rows::insert(part, table, at));
+    view.sheet.go_to(at, 1);
 }

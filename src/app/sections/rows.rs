@@ -1,4 +1,4 @@
-//! Inserting, deleting, duplicating and moving rows.
+//! Inserting, deleting and duplicating rows.
 
 use crate::diagnostic::SectionTable;
 use crate::document::TurnedPart;
@@ -41,18 +41,4 @@ pub(crate) fn duplicate(part: &mut TurnedPart, table: SectionTable, rows: &Range
         let at = (rows.end() + 1 + offset).min(part.table(table).len());
         part.table_mut(table).insert(at, Section { id, ..copy });
     }
-}
-
-/// Moves rows by one place; true if there was room.
-pub(crate) fn shift(sections: &mut [Section], rows: &RangeInclusive<usize>, down: bool) -> bool {
-    let (first, last) = (*rows.start(), *rows.end());
-    let room = if down { last + 1 < sections.len() } else { first > 0 && last < sections.len() };
-    if room {
-        match sections.get_mut(if down { first..=last + 1 } else { first - 1..=last }) {
-            Some(rows) if down => rows.rotate_right(1),
-            Some(rows) => rows.rotate_left(1),
-            None => {}
-        }
-    }
-    room
 }

@@ -2,6 +2,7 @@
 
 use super::{Change, Cursor, Editing, Sheet, SheetView, Takes};
 use crate::app::desk::Requests;
+use crate::document::Document;
 use crate::session::Session;
 use egui::{Event, Key, Modifiers, Ui};
 
@@ -106,7 +107,7 @@ pub(super) fn begin(sheet: &dyn Sheet, view: &mut SheetView, session: &mut Sessi
     if cell.takes == Takes::Nothing {
         return;
     }
-    let kept = view.bad.get(&(row, column)).map(|(text, _)| text.clone());
+    let kept = view.bad.get(&(sheet.key(row), column)).map(|(text, _)| text.clone());
     let text = text.or(kept).unwrap_or_else(|| cell.text.clone());
     view.editing = Some(Editing { text, told: cell.text.clone(), before: cell.text, wrong: None });
     session.begin_typing();
@@ -139,30 +140,30 @@ fn write(sheet: &dyn Sheet, session: &mut Session, row: usize, column: usize, te
 /// What a change of a cell is called in the history.
 fn label(sheet: &dyn Sheet, row: usize, column: usize) -> String {
     let title = sheet.headings().get(column).map(|heading| heading.title.clone()).unwrap_or_default();
-    format!("{title} of {} {}", sheet.name().to_lowercase(), sheet.number(row))
+    format!("{title} of {}", sheet.row_label(row))
 }
 
 /// Ends the editing of a cell; a text that does not fit stays there, marked, and the value is the one before.
-pub(super) fn commit(sheet: &dyn Sheet, view: &mut SheetView, session: &mut Session) {
+pub(crate) fn commit(sheet: &dyn Sheet, view: &mut SheetView, session: &mut Session) {
     tell(sheet, view, session);
     let Some(editing) = view.editing.take() else { return };
     let Cursor { row, column, .. } = view.cursor;
-    view.bad.remove(&(row, column));
+    view.bad.remove(&(sheet.key(row), column));
     let mut wrong = editing.wrong;
     if matches!(sheet.cell(row, column).takes, Takes::Words(_)) && editing.text != editing.before {
         wrong = write(sheet, session, row, column, &editing.text).err();
     }
     if let Some(reason) = wrong {
-        view.bad.insert((row, column), (editing.text, reason));
+        view.bad.insert((sheet.key(row), column), (editing.text, reason));
     }
     session.end_typing();
 }
 
 /// Ends the editing of a cell; everything is as before.
-pub(super) fn give_up(view: &mut SheetView, session: &mut Session) {
+pub(super) fn give_up(sheet: &dyn Sheet, view: &mut SheetView, session: &mut Session) {
     view.editing = None;
     session.give_up_typing();
-    view.bad.remove(&(view.cursor.row, view.cursor.column));
+    view.bad.remove(&(sheet.key(view.cursor.row), view.cursor.column));
 }
 
 /// Chooses a word of a cell.
@@ -181,11 +182,18 @@ fn change(sheet: &dyn Sheet, view: &mut SheetView, session: &mut Session, label:
     done
 }
 
+/// Puts the cursor on a row that the table will have in the next frame.
+fn put(view: &mut SheetView, row: usize) {
+    view.cursor = Cursor { row, other_row: row, whole_rows: false, ..view.cursor };
+    view.settle = true;
+    view.reveal = true;
+}
+
 /// Inserts a row above the cursor.
 pub(super) fn insert(sheet: &dyn Sheet, view: &mut SheetView, session: &mut Session) {
     let row = view.cursor.row;
     if change(sheet, view, session, "insert a row", &Change::Insert(row)) {
-        place(sheet, view, session, row, view.cursor.column, false);
+        put(view, row);
     }
 }
 
@@ -194,7 +202,7 @@ pub(super) fn delete(sheet: &dyn Sheet, view: &mut SheetView, session: &mut Sess
     let rows = view.cursor.rows();
     let label = if rows.clone().count() > 1 { "delete rows" } else { "delete a row" };
     if change(sheet, view, session, label, &Change::Delete(rows.clone())) {
-        place(sheet, view, session, *rows.start(), view.cursor.column, false);
+        put(view, *rows.start());
     }
 }
 
@@ -202,7 +210,7 @@ pub(super) fn delete(sheet: &dyn Sheet, view: &mut SheetView, session: &mut Sess
 pub(super) fn duplicate(sheet: &dyn Sheet, view: &mut SheetView, session: &mut Session) {
     let rows = view.cursor.rows();
     if change(sheet, view, session, "duplicate rows", &Change::Duplicate(rows.clone())) {
-        view.go_to(rows.end() + 1, view.cursor.column);
+        put(view, rows.end() + 1);
     }
 }
 
@@ -212,12 +220,16 @@ pub(super) fn shift(sheet: &dyn Sheet, view: &mut SheetView, session: &mut Sessi
     if change(sheet, view, session, "move rows", &Change::Move { rows, down }) {
         let by = |row: usize| if down { row + 1 } else { row.saturating_sub(1) };
         view.cursor = Cursor { row: by(view.cursor.row), other_row: by(view.cursor.other_row), ..view.cursor };
+        view.followed = Some(view.cursor.row);
         view.reveal = true;
     }
 }
 
 /// Puts the selected rows on the clipboard, a tab between cells.
 pub(super) fn copy(ui: &Ui, sheet: &dyn Sheet, view: &SheetView) {
+    if let Some(text) = sheet.copied(&view.cursor.rows()) {
+        return ui.copy_text(text);
+    }
     let columns = sheet.headings().len();
     let line = |row| (0..columns).map(|column| sheet.cell(row, column).text).collect::<Vec<_>>().join("\t");
     let rows: Vec<String> = view.cursor.rows().filter(|row| *row < sheet.rows()).map(line).collect();
@@ -226,23 +238,39 @@ pub(super) fn copy(ui: &Ui, sheet: &dyn Sheet, view: &SheetView) {
 
 /// Writes cells from the cursor on, to the right and down; cells that follow from others are passed over. All or nothing.
 fn paste(sheet: &dyn Sheet, view: &mut SheetView, session: &mut Session, requests: &mut Requests, text: &str) {
-    let Cursor { row: top, column: left, .. } = view.cursor;
-    let mut outcome = Ok(());
-    session.edit("paste", None, |document| {
-        let before = document.clone();
-        for (row, line) in (top..sheet.rows()).zip(text.lines()) {
-            for (column, text) in (left..sheet.headings().len()).zip(line.split('\t')) {
-                let takes = sheet.cell(row, column).takes != Takes::Nothing && !text.trim().is_empty();
-                if takes && outcome.is_ok() {
-                    outcome = sheet.write(document, row, column, text.trim());
-                }
+    let Cursor { row, column, .. } = view.cursor;
+    let mut outcome = Ok(0);
+    session.edit("paste rows", None, |document| {
+        outcome = sheet
+            .paste(document, (row, column), text)
+            .unwrap_or_else(|| by_cells(sheet, document, (row, column), text));
+    });
+    match outcome {
+        Ok(count) => {
+            put(view, row);
+            view.cursor.other_row = (row + count).saturating_sub(1).max(row);
+        }
+        Err(reason) => requests.complain(format!("Nothing was pasted. {reason}")),
+    }
+}
+
+/// Writes cell by cell; the document is as before if a text does not fit.
+fn by_cells(
+    sheet: &dyn Sheet,
+    document: &mut Document,
+    (top, left): (usize, usize),
+    text: &str,
+) -> Result<usize, String> {
+    let mut edited = document.clone();
+    let mut count = 0;
+    for (row, line) in (top..sheet.rows()).zip(text.lines()) {
+        for (column, text) in (left..sheet.headings().len()).zip(line.split('\t')) {
+            if sheet.cell(row, column).takes != Takes::Nothing && !text.trim().is_empty() {
+                sheet.write(&mut edited, row, column, text.trim())?;
             }
         }
-        if outcome.is_err() {
-            *document = before;
-        }
-    });
-    if let Err(reason) = outcome {
-        requests.complain(format!("Nothing was pasted. {reason}"));
+        count += 1;
     }
+    *document = edited;
+    Ok(count)
 }

@@ -4,16 +4,24 @@
 mod keys;
 mod table;
 
+use crate::app::desk::Requests;
 use crate::document::Document;
 use crate::session::Session;
+use egui::{Color32, Painter, Rect};
+pub(crate) use keys::commit as leave;
 use std::collections::HashMap;
 use std::ops::RangeInclusive;
 pub(crate) use table::show;
 
 /// What a table shows, made anew for every frame from the document.
 pub(crate) trait Sheet {
-    /// What a screen reader calls the table, `Elements`; also the name under which the window knows it.
+    /// What one row is called, `Element`; also the name under which the window knows the table.
     fn name(&self) -> &'static str;
+
+    /// What a screen reader calls the table.
+    fn title(&self) -> String {
+        self.name().to_owned()
+    }
 
     /// The columns.
     fn headings(&self) -> &[Heading];
@@ -24,6 +32,21 @@ pub(crate) trait Sheet {
     /// What is in front of a row: its number, most often.
     fn number(&self, row: usize) -> String {
         (row + 1).to_string()
+    }
+
+    /// What a text that did not fit is kept by: the row's place, or an id that stays with it when rows come and go.
+    fn key(&self, row: usize) -> u32 {
+        u32::try_from(row).unwrap_or(u32::MAX)
+    }
+
+    /// What a screen reader calls a row: `Element 3`.
+    fn row_name(&self, row: usize) -> String {
+        format!("{} {}", self.name(), self.number(row))
+    }
+
+    /// What a row is called in the history: `element 3`.
+    fn row_label(&self, row: usize) -> String {
+        self.row_name(row).to_lowercase()
     }
 
     /// A cell.
@@ -37,6 +60,35 @@ pub(crate) trait Sheet {
 
     /// Inserts, deletes, duplicates or moves rows; false if the table does not allow it.
     fn change(&self, document: &mut Document, change: &Change) -> bool;
+
+    /// What the cells of these rows are on the clipboard, if it is not just their texts.
+    fn copied(&self, _rows: &RangeInclusive<usize>) -> Option<String> {
+        None
+    }
+
+    /// Pastes a text at a row and a column in a way of its own, rows added where they are needed, and tells how many rows were
+    /// written or why none was; `None` if cells are written one by one.
+    fn paste(&self, _document: &mut Document, _at: (usize, usize), _text: &str) -> Option<Result<usize, String>> {
+        None
+    }
+
+    /// A message about a cell that is looked up only when the cell is drawn.
+    fn mark(&self, _session: &Session, _row: usize, _column: usize) -> Option<String> {
+        None
+    }
+
+    /// How a row stands out beside being selected.
+    fn look(&self, _session: &Session, _row: usize) -> RowLook {
+        RowLook::default()
+    }
+
+    /// Draws a picture in front of the text of a cell, and tells how much room it takes, points.
+    fn picture(&self, _painter: &Painter, _cell: Rect, _at: (usize, usize), _color: Color32) -> f32 {
+        0.0
+    }
+
+    /// The pointer is over a row.
+    fn point_at(&self, _row: usize, _requests: &mut Requests) {}
 
     /// The row that is selected elsewhere.
     fn selected(&self, session: &Session) -> Option<usize>;
@@ -56,17 +108,28 @@ pub(crate) struct Heading {
     pub(crate) words: bool,
     /// True if the whole column is marked as the one in use.
     pub(crate) current: bool,
+    /// True if the column keeps its least width where there is more room.
+    pub(crate) fixed: bool,
+}
+
+/// How a row stands out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) struct RowLook {
+    /// The pointer is over what belongs to it elsewhere.
+    pub(crate) lit: bool,
+    /// There is an error in it.
+    pub(crate) wrong: bool,
 }
 
 impl Heading {
     /// A column of figures.
     pub(crate) fn figures(title: impl Into<String>, least: f32) -> Self {
-        Self { title: title.into(), least, words: false, current: false }
+        Self { title: title.into(), least, words: false, current: false, fixed: false }
     }
 
     /// A column of words.
     pub(crate) fn words(title: impl Into<String>, least: f32) -> Self {
-        Self { title: title.into(), least, words: true, current: false }
+        Self { title: title.into(), least, words: true, current: false, fixed: false }
     }
 }
 
@@ -119,7 +182,11 @@ pub(crate) struct SheetView {
     cursor: Cursor,
     editing: Option<Editing>,
     /// Texts that did not fit their cells, with the reason.
-    bad: HashMap<(usize, usize), (String, String)>,
+    bad: HashMap<(u32, usize), (String, String)>,
+    /// The row that was selected elsewhere when that was last looked at.
+    followed: Option<usize>,
+    /// The row under the cursor is to be selected once the table knows it.
+    settle: bool,
     reveal: bool,
     take_focus: bool,
 }
@@ -153,8 +220,14 @@ impl SheetView {
     /// Puts the cursor on a cell and the keyboard into the table.
     pub(crate) fn go_to(&mut self, row: usize, column: usize) {
         self.cursor = Cursor { row, column, other_row: row, whole_rows: false };
+        self.settle = true;
         self.reveal = true;
         self.take_focus = true;
+    }
+
+    /// True while a cell is being edited.
+    pub(crate) const fn is_editing(&self) -> bool {
+        self.editing.is_some()
     }
 }
 

@@ -16,6 +16,8 @@ struct Frame<'a> {
     /// Left edge of each column and the right edge of the last.
     edges: Vec<f32>,
     focused: bool,
+    /// The row that is selected everywhere.
+    selected: Option<usize>,
     id: Id,
 }
 
@@ -28,7 +30,7 @@ pub(crate) fn show(
     requests: &mut Requests,
     height: f32,
 ) {
-    keep_cursor_inside(sheet, view, session);
+    follow(sheet, view, session);
     let id = ui.make_persistent_id(("sheet", sheet.name()));
     if std::mem::take(&mut view.take_focus) {
         ui.memory_mut(|m| m.request_focus(id));
@@ -39,11 +41,13 @@ pub(crate) fn show(
         let size = vec2(edges.last().copied().unwrap_or(0.0), theme::ROW * (count(sheet.rows()) + 1.0));
         let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
         let focused = grab_keyboard(ui, id, rect, sheet, view);
-        let frame = Frame { sheet, colors: Colors::of(ui.visuals()), edges, focused, id };
+        let colors = Colors::of(ui.visuals());
+        let mut frame = Frame { sheet, colors, edges, focused, selected: None, id };
         if focused && view.editing.is_none() {
             keys::handle(ui, sheet, view, session, requests);
         }
-        frame.rows(ui, rect, view, session);
+        frame.selected = sheet.selected(session);
+        frame.rows(ui, rect, view, session, requests);
         frame.header(ui, rect);
     });
 }
@@ -53,26 +57,36 @@ const fn count(rows: usize) -> f32 {
     rows as f32
 }
 
-/// Puts the cursor on the row that is selected elsewhere.
-fn keep_cursor_inside(sheet: &dyn Sheet, view: &mut SheetView, session: &Session) {
+/// Puts the cursor on the row that was selected elsewhere since the last frame, and keeps it inside the table.
+fn follow(sheet: &dyn Sheet, view: &mut SheetView, session: &mut Session) {
     let last = sheet.rows().saturating_sub(1);
-    let selected = sheet.selected(session).filter(|row| *row != view.cursor.row && view.editing.is_none());
-    if let Some(row) = selected.filter(|_| view.cursor.row == view.cursor.other_row) {
-        view.cursor = Cursor { row, other_row: row, whole_rows: false, ..view.cursor };
-        view.reveal = true;
-    }
     view.cursor.row = view.cursor.row.min(last);
     view.cursor.other_row = view.cursor.other_row.min(last);
     view.cursor.column = view.cursor.column.min(sheet.headings().len().saturating_sub(1));
+    if std::mem::take(&mut view.settle) && sheet.rows() > 0 {
+        sheet.select(session, view.cursor.row, view.cursor.column);
+        view.followed = Some(view.cursor.row);
+        return;
+    }
+    let selected = sheet.selected(session);
+    if selected == view.followed || view.editing.is_some() {
+        return;
+    }
+    view.followed = selected;
+    if let Some(row) = selected.filter(|row| *row != view.cursor.row) {
+        view.cursor = Cursor { row, other_row: row, whole_rows: false, ..view.cursor };
+        view.reveal = true;
+    }
 }
 
-/// Columns share what is left of the room by their least widths.
+/// Columns that are not of a fixed width share what is left of the room by their least widths.
 fn edges(room: f32, headings: &[Heading]) -> Vec<f32> {
-    let least: f32 = headings.iter().map(|heading| heading.least).sum();
-    let stretch = ((room - NUMBERS) / least.max(1.0)).max(1.0);
+    let least = |fixed: bool| headings.iter().filter(|h| h.fixed == fixed).map(|h| h.least).sum::<f32>();
+    let stretch = ((room - NUMBERS - least(true)) / least(false).max(1.0)).max(1.0);
     let mut edges = vec![NUMBERS];
     for heading in headings {
-        edges.push(edges.last().copied().unwrap_or(NUMBERS) + heading.least * stretch);
+        let width = if heading.fixed { heading.least } else { heading.least * stretch };
+        edges.push(edges.last().copied().unwrap_or(NUMBERS) + width);
     }
     edges
 }
@@ -81,7 +95,7 @@ fn edges(room: f32, headings: &[Heading]) -> Vec<f32> {
 fn grab_keyboard(ui: &Ui, id: Id, rect: Rect, sheet: &dyn Sheet, view: &SheetView) -> bool {
     let response = ui.interact(rect, id, Sense::focusable_noninteractive());
     response.widget_info(|| {
-        let text = format!("{}, row {} of {}", sheet.name(), view.cursor.row + 1, sheet.rows());
+        let text = format!("{}, row {} of {}", sheet.title(), view.cursor.row + 1, sheet.rows());
         egui::WidgetInfo::labeled(egui::Role::Table, true, text)
     });
     let filter = EventFilter { tab: true, horizontal_arrows: true, vertical_arrows: true, escape: false };
@@ -114,7 +128,7 @@ impl Frame<'_> {
         }
     }
 
-    fn rows(&self, ui: &mut Ui, table: Rect, view: &mut SheetView, session: &mut Session) {
+    fn rows(&self, ui: &mut Ui, table: Rect, view: &mut SheetView, session: &mut Session, requests: &mut Requests) {
         if view.editing.is_some() {
             self.end_edit_by_key(ui, view, session);
         }
@@ -126,16 +140,20 @@ impl Frame<'_> {
                 ui.scroll_to_rect(cell, None);
                 view.reveal = false;
             }
-            if rect.intersects(clip) {
-                self.row(ui, rect, row, view, session);
+            if !rect.intersects(clip) {
+                continue;
             }
+            if ui.rect_contains_pointer(rect) {
+                self.sheet.point_at(row, requests);
+            }
+            self.row(ui, rect, row, view, session);
         }
     }
 
     fn row(&self, ui: &mut Ui, rect: Rect, row: usize, view: &mut SheetView, session: &mut Session) {
         self.paint_row(ui, rect, row, view, session);
         let number = Rect::from_min_max(rect.min, egui::pos2(rect.left() + NUMBERS, rect.bottom()));
-        let response = ui.interact(number, self.id.with(("number", row)), Sense::click());
+        let response = ui.interact(number, self.id.with(("number", self.sheet.key(row))), Sense::click());
         let name = format!("{} {}", self.sheet.name(), self.sheet.number(row));
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, true, &name));
         if response.clicked() || response.secondary_clicked() {
@@ -150,18 +168,20 @@ impl Frame<'_> {
 
     fn paint_row(&self, ui: &Ui, rect: Rect, row: usize, view: &SheetView, session: &Session) {
         let painter = ui.painter();
-        let selected = self.sheet.selected(session) == Some(row);
+        let (selected, look) = (self.selected == Some(row), self.sheet.look(session, row));
         let in_range = view.cursor.rows().count() > 1 && view.cursor.rows().contains(&row);
         if selected || in_range {
             painter.rect_filled(rect, 0.0, self.colors.selected);
             let mark = Rect::from_min_size(rect.min, vec2(3.0, rect.height()));
             painter.rect_filled(mark, 0.0, self.colors.plot.accent);
+        } else if look.lit {
+            painter.rect_filled(rect, 0.0, self.colors.hovered);
         }
         painter.hline(rect.x_range(), rect.bottom(), Stroke::new(1.0, self.colors.line.gamma_multiply(0.7)));
-        let (font, color) = if selected {
-            (theme::strong_font(theme::TEXT), self.colors.plot.accent)
-        } else {
-            (FontId::proportional(theme::TEXT), self.colors.plot.construction)
+        let (font, color) = match (look.wrong, selected) {
+            (true, _) => (theme::strong_font(theme::TEXT), self.colors.plot.wrong),
+            (false, true) => (theme::strong_font(theme::TEXT), self.colors.plot.accent),
+            (false, false) => (FontId::proportional(theme::TEXT), self.colors.plot.construction),
         };
         let at = egui::pos2(rect.left() + NUMBERS - 6.0, rect.center().y);
         painter.text(at, Align2::RIGHT_CENTER, self.sheet.number(row), font, color);
@@ -174,13 +194,14 @@ impl Frame<'_> {
             return self.edit(ui, rect, heading, view, session);
         }
         let mut cell = self.sheet.cell(row, column);
-        if let Some((text, reason)) = view.bad.get(&(row, column)) {
+        if let Some((text, reason)) = view.bad.get(&(self.sheet.key(row), column)) {
             (cell.text, cell.wrong) = (text.clone(), Some(reason.clone()));
         }
-        let mut response = ui.interact(rect, self.id.with((row, column)), Sense::click());
-        let name = format!("{} of {} {}: {}", heading.title, self.sheet.name(), self.sheet.number(row), cell.text);
+        cell.wrong = cell.wrong.or_else(|| self.sheet.mark(session, row, column));
+        let mut response = ui.interact(rect, self.id.with((self.sheet.key(row), column)), Sense::click());
+        let name = format!("{} of {}: {}", heading.title, self.sheet.row_name(row), cell.text);
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Cell, true, &name));
-        self.paint_cell(ui, rect, heading, &cell);
+        self.paint_cell(ui, rect, (row, column), &cell);
         if here && self.focused {
             let stroke = Stroke::new(1.5, self.colors.plot.accent);
             ui.painter().rect_stroke(rect.shrink(1.0), 3.0, stroke, StrokeKind::Inside);
@@ -223,7 +244,8 @@ impl Frame<'_> {
         }
     }
 
-    fn paint_cell(&self, ui: &Ui, rect: Rect, heading: &Heading, cell: &Cell) {
+    fn paint_cell(&self, ui: &Ui, rect: Rect, (row, column): (usize, usize), cell: &Cell) {
+        let Some(heading) = self.sheet.headings().get(column) else { return };
         let painter = ui.painter_at(rect);
         let plot = &self.colors.plot;
         if cell.wrong.is_some() {
@@ -238,7 +260,9 @@ impl Frame<'_> {
             _ => plot.text,
         };
         let font = if cell.strong { theme::strong_font(theme::TEXT) } else { FontId::proportional(theme::TEXT) };
-        let (align, at) = ends(heading, rect.shrink2(vec2(6.0, 0.0)));
+        let mut room = rect.shrink2(vec2(6.0, 0.0));
+        room.min.x += self.sheet.picture(&painter, rect, (row, column), color);
+        let (align, at) = ends(heading, room);
         let (text, color) = if cell.text.is_empty() { ("–", plot.construction) } else { (cell.text.as_str(), color) };
         painter.text(at, align, text, font, color);
     }
@@ -266,7 +290,7 @@ impl Frame<'_> {
         let response = ui.put(rect.shrink(1.0), edit);
         response.widget_info(|| {
             let mut info = egui::WidgetInfo::text_edit(true, &text, &text, "");
-            info.label = Some(format!("{} of {}", heading.title, self.sheet.number(view.cursor.row)));
+            info.label = Some(format!("{} of {}", heading.title, self.sheet.row_name(view.cursor.row)));
             info
         });
         if fresh && !response.lost_focus() {
@@ -292,7 +316,7 @@ impl Frame<'_> {
         let pressed = |modifiers: Modifiers, key: Key| ui.input_mut(|i| i.consume_key(modifiers, key));
         let back_to_table = || ui.memory_mut(|m| m.request_focus(self.id));
         if pressed(Modifiers::NONE, Key::Escape) {
-            keys::give_up(view, session);
+            keys::give_up(self.sheet, view, session);
             return back_to_table();
         }
         let ends = [(Modifiers::SHIFT, Key::Enter), (Modifiers::NONE, Key::Enter)];
