@@ -53,6 +53,10 @@ pub enum Action {
     AskOpen,
     /// Ask for the file of a program that takes the place of the program shown.
     AskOpenProgram,
+    /// Ask for a drawing of a cross-section, of which a set of form-rolls is made.
+    AskOpenSection,
+    /// Make a set of form-rolls of a drawing of its cross-section.
+    OpenSection(PathBuf),
     /// Put the program of a file in the place of the program that is shown.
     OpenProgram(PathBuf),
     /// Open a document that was made here: a new shell, or a shell's former as a part.
@@ -64,6 +68,13 @@ pub enum Action {
         /// Name without extension.
         name: String,
         /// The pages, control characters and all.
+        text: Arc<str>,
+    },
+    /// Ask for a file to save this text in: a contour that follows from the document.
+    AskSaveText {
+        /// Name with extension.
+        name: String,
+        /// What the file says.
         text: Arc<str>,
     },
     /// Ask for a file to save papers of the part in.

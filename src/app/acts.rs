@@ -62,8 +62,11 @@ impl Desk {
             Action::AskExport => self.ask_file(ctx, Purpose::Export, "dxf"),
             Action::AskOpen => self.ask_file(ctx, Purpose::Open, ""),
             Action::AskOpenProgram => self.ask_file(ctx, Purpose::OpenProgram, ""),
+            Action::AskOpenSection => self.ask_file(ctx, Purpose::OpenSection, ""),
+            Action::OpenSection(path) => self.open_section(ctx, &path),
             Action::OpenProgram(path) => self.open_program(&path),
             Action::AskSaveProgram { name, text } => self.ask_program_file(ctx, &name, text),
+            Action::AskSaveText { name, text } => self.ask_text_file(ctx, &name, text),
             Action::AskSavePapers(kind) => self.ask_file(ctx, Purpose::Papers(kind), "pdf"),
             Action::WritePapers(path, kind) => self.write_papers(path, kind),
             Action::WriteText(path, text) => self.files.write_text(path, text),
@@ -110,6 +113,24 @@ impl Desk {
                 self.remember_file(path);
                 self.open_document(ctx, document, origin);
                 self.say_all(&remarks);
+            }
+            Err(reasons) => self.say_all(&reasons),
+        }
+    }
+
+    /// Makes a set of form-rolls of a drawing of its cross-section. A mid-line is as thick as the section that is open, or 1 mm.
+    fn open_section(&mut self, ctx: &Context, path: &Path) {
+        let open = self.session.as_ref().and_then(|session| session.document().content.roll_set());
+        let thickness = open.map_or(1.0, |set| set.section.thickness);
+        match storage::import::section_drawing(path, Some(thickness)) {
+            Ok((document, remarks)) => {
+                let made = document.content.roll_set().map_or(0.0, |set| set.section.thickness);
+                let unit = document.unit.symbol();
+                self.open_document(ctx, document, Origin::Fresh);
+                self.say_all(&remarks);
+                self.say(&format!(
+                    "The section is {made:.3} {unit} thick; a mid-line does not say so, and can be corrected."
+                ));
             }
             Err(reasons) => self.say_all(&reasons),
         }
@@ -177,13 +198,21 @@ impl Desk {
         let name = self.session.as_ref().map(|s| s.document().name.to_lowercase());
         let present = self.session.as_ref().and_then(|s| s.path().map(Path::to_owned));
         let path = match purpose {
-            Purpose::Open | Purpose::OpenProgram | Purpose::Program(_) => PathBuf::new(),
+            Purpose::Open | Purpose::OpenProgram | Purpose::OpenSection | Purpose::Program(_) | Purpose::Text(_) => {
+                PathBuf::new()
+            }
             Purpose::SaveAs | Purpose::Export | Purpose::Papers(_) => {
                 present.or(name.map(PathBuf::from)).unwrap_or_default().with_extension(ending)
             }
         };
         let system = self.surroundings.system_dialogs;
         self.dialog = Some(Dialog::File(FileDialog::ask(ctx, purpose, &path, system)));
+    }
+
+    fn ask_text_file(&mut self, ctx: &Context, name: &str, text: Arc<str>) {
+        let folder = self.session.as_ref().and_then(|s| s.path().and_then(Path::parent)).unwrap_or(Path::new(""));
+        let (path, system) = (folder.join(name), self.surroundings.system_dialogs);
+        self.dialog = Some(Dialog::File(FileDialog::ask(ctx, Purpose::Text(text), &path, system)));
     }
 
     fn ask_program_file(&mut self, ctx: &Context, name: &str, text: Arc<str>) {

@@ -7,9 +7,13 @@ use super::layout::{Layout, Pane};
 use super::shortcuts;
 use super::theme::{self, Colors};
 use super::widgets::{chip, clock, primary_button};
+use crate::diagnostic::Diagnostic;
 use crate::document::{Content, Kind as DocumentKind};
 use crate::papers::{DrawingChoice, Paper, PaperKind};
+use crate::rollform::RollDesign;
+use crate::rollform::die::die_aperture;
 use crate::session::{SaveState, Session, Verdict};
+use crate::storage::export::{die_dxf, e_layout, roll_dxf};
 use crate::units::trimmed;
 use egui::{Align, Button, KeyboardShortcut, RichText, Ui};
 
@@ -75,6 +79,9 @@ fn file(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) {
         if item(ui, "Open program…", None, session.and_then(Session::program).is_some()) {
             requests.actions.push(Action::AskOpenProgram);
         }
+        if item(ui, "Import cross-section…", None, true) {
+            requests.actions.push(Action::AskOpenSection);
+        }
         ui.separator();
         if item(ui, "Save", Some(&shortcuts::SAVE), session.is_some()) {
             requests.actions.push(Action::Save);
@@ -82,8 +89,14 @@ fn file(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) {
         if item(ui, "Save as…", Some(&shortcuts::SAVE_AS), session.is_some()) {
             requests.actions.push(Action::SaveAs);
         }
-        if item(ui, "Export…", Some(&shortcuts::EXPORT), session.is_some()) {
-            requests.actions.push(Action::AskExport);
+        let of_set = session.and_then(|session| session.derived()?.rolls.clone());
+        match (session, of_set) {
+            (Some(session), Some(of_set)) => export_of_set(ui, session, &of_set.design, requests),
+            _ => {
+                if item(ui, "Export…", Some(&shortcuts::EXPORT), session.is_some()) {
+                    requests.actions.push(Action::AskExport);
+                }
+            }
         }
         save_program(ui, session, requests);
         save_papers(ui, session, requests);
@@ -93,6 +106,32 @@ fn file(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) {
         }
         if item(ui, "Quit", Some(&shortcuts::QUIT), true) {
             requests.actions.push(Action::Quit);
+        }
+    });
+}
+
+/// Contours of a set: the roll that is shown, and the aperture of the die block.
+fn export_of_set(ui: &mut Ui, session: &Session, design: &RollDesign, requests: &mut Requests) {
+    let unit = session.document().unit;
+    let ready = session.is_designed();
+    let mut file = |ui: &mut Ui, text: &str, name: String, made: &dyn Fn() -> Result<String, Diagnostic>| {
+        if item(ui, text, None, ready)
+            && let Ok(text) = made()
+        {
+            requests.actions.push(Action::AskSaveText { name, text: text.into() });
+        }
+    };
+    ui.menu_button("Export", |ui| {
+        if let Some(roll) = session.roll().and_then(|roll| design.roll(roll)) {
+            let layout = || Ok(e_layout(&roll.elements));
+            file(ui, &format!("{} in the published layout…", roll.name), format!("E{}.txt", roll.name), &layout);
+            let drawing = || roll_dxf(&roll.elements, roll.part.stock_bore_diameter, unit);
+            file(ui, &format!("{} as DXF…", roll.name), format!("{}.dxf", roll.name), &drawing);
+        }
+        if let Some(set) = session.document().content.roll_set() {
+            let set = set.scaled(unit.in_mm());
+            let aperture = || die_dxf(&die_aperture(&set, set.die_clearance_mm()), unit);
+            file(ui, "Aperture of the die block as DXF…", format!("{}.die.dxf", session.document().name), &aperture);
         }
     });
 }
@@ -116,18 +155,7 @@ fn save_papers(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) 
     let outdated = session.and_then(Session::outdated);
     let ready = session.is_some() && outdated.is_none();
     ui.add_enabled_ui(ready, |ui| {
-        ui.menu_button("Save drawing", |ui| {
-            let mut paper = |text: &str, paper: Option<Paper>, ui: &mut Ui| {
-                if item(ui, text, None, true) {
-                    let kind = PaperKind::Drawing(DrawingChoice { paper, scale: None });
-                    requests.actions.push(Action::AskSavePapers(kind));
-                }
-            };
-            paper("Smallest paper that fits…", None, ui);
-            for size in Paper::ALL {
-                paper(&format!("{}…", size.name()), Some(size), ui);
-            }
-        });
+        save_on_paper(ui, "Save drawing", PaperKind::Drawing, requests);
     });
     let response = ui.add_enabled(ready, Button::new("Save setup sheet…"));
     let response = response.on_disabled_hover_text(outdated.unwrap_or("There is no part yet."));
@@ -142,17 +170,24 @@ fn save_strip_papers(ui: &mut Ui, session: Option<&Session>, requests: &mut Requ
     if session.is_none_or(|s| s.document().content.roll_set().is_none()) {
         return;
     }
-    let choice = DrawingChoice::default();
-    let all = [
-        ("Save section drawing…", PaperKind::Section(choice)),
-        ("Save templates…", PaperKind::Templates(choice)),
-        ("Save parts list…", PaperKind::PartsList),
-    ];
-    for (text, kind) in all {
-        if item(ui, text, None, true) {
-            requests.actions.push(Action::AskSavePapers(kind));
-        }
+    save_on_paper(ui, "Save section drawing", PaperKind::Section, requests);
+    save_on_paper(ui, "Save templates", PaperKind::Templates, requests);
+    save_on_paper(ui, "Save drawings of the stations", PaperKind::Stations, requests);
+    if item(ui, "Save parts list…", None, true) {
+        requests.actions.push(Action::AskSavePapers(PaperKind::PartsList));
     }
+}
+
+/// Papers of a size of one's own, or of the smallest that fits.
+fn save_on_paper(ui: &mut Ui, text: &str, kind: fn(DrawingChoice) -> PaperKind, requests: &mut Requests) {
+    ui.menu_button(text, |ui| {
+        let sizes = Paper::ALL.into_iter().map(|size| (format!("{}…", size.name()), Some(size)));
+        for (text, paper) in std::iter::once(("Smallest paper that fits…".to_owned(), None)).chain(sizes) {
+            if item(ui, &text, None, true) {
+                requests.actions.push(Action::AskSavePapers(kind(DrawingChoice { paper, scale: None })));
+            }
+        }
+    });
 }
 
 fn edit(ui: &mut Ui, session: Option<&Session>, requests: &mut Requests) {

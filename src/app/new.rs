@@ -64,6 +64,7 @@ fn channel() -> RollSet {
         line: shafts,
         stations: (1..).zip(CHANNEL_DEG).map(|(id, angle_deg)| station(id, angle_deg, &shafts)).collect(),
         form_tolerance: 0.05,
+        die_clearance: None,
         rates: Rates::default(),
         rolls: Vec::new(),
     }

@@ -16,11 +16,14 @@ pub(crate) struct Draw {
     /// Drawing: .pdf, .svg, .dxf or .plt (HP-GL).
     out: PathBuf,
     /// Of a set of form-rolls: the finished cross-section with the table of its elements, not the rolls.
-    #[arg(long, conflicts_with = "templates")]
+    #[arg(long, conflicts_with_all = ["templates", "stations"])]
     section: bool,
     /// Of a set of form-rolls: the strip of every station, at most ten times its size.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "stations")]
     templates: bool,
+    /// Of a set of form-rolls: the rolls of every station with the strip between them.
+    #[arg(long)]
+    stations: bool,
     /// Paper, A4 to A0, landscape; without, the smallest that shows the part well.
     #[arg(long)]
     paper: Option<Paper>,
@@ -46,9 +49,10 @@ pub(crate) struct Sheet {
 
 pub(super) fn draw(args: &Draw) -> Outcome {
     let choice = DrawingChoice { paper: args.paper, scale: args.scale };
-    let kind = match (args.section, args.templates) {
-        (true, _) => PaperKind::Section(choice),
-        (_, true) => PaperKind::Templates(choice),
+    let kind = match (args.section, args.templates, args.stations) {
+        (true, ..) => PaperKind::Section(choice),
+        (_, true, _) => PaperKind::Templates(choice),
+        (.., true) => PaperKind::Stations(choice),
         _ => PaperKind::Drawing(choice),
     };
     let derived = make(kind, &args.file, args.machine.as_deref(), &args.out)?;

@@ -7,9 +7,6 @@ use crate::regen::Derived;
 use crate::rollform::die::die_aperture;
 use crate::storage::export::{die_dxf, e_layout, roll_dxf};
 
-/// Clearance of the die block's aperture all round, mm: room for the strip to slide through.
-const DIE_CLEARANCE_MM: f64 = 0.05;
-
 /// The files, roll by roll, then those of the set. None of another document.
 pub(super) fn files(derived: &Derived) -> Vec<OutputFile> {
     let (Some(set), Some(document)) = (&derived.rolls, derived.document.content.roll_set()) else { return Vec::new() };
@@ -24,7 +21,8 @@ pub(super) fn files(derived: &Derived) -> Vec<OutputFile> {
         }
     }
     put(format!("{name}.parts.csv"), parts_list_csv(&roll_lines(derived)));
-    if let Ok(text) = die_dxf(&die_aperture(&document.scaled(unit.in_mm()), DIE_CLEARANCE_MM), unit) {
+    let set = document.scaled(unit.in_mm());
+    if let Ok(text) = die_dxf(&die_aperture(&set, set.die_clearance_mm()), unit) {
         put(format!("{name}.die.dxf"), text);
     }
     files

@@ -5,7 +5,7 @@ use super::page::Page;
 use super::parts_list::parts_list;
 use super::setup_sheet::setup_sheet;
 use super::shell;
-use super::strip::{section_drawing, templates};
+use super::strip::{section_drawing, stations, templates};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::machine::Catalog;
 use crate::regen::Derived;
@@ -21,6 +21,8 @@ pub enum PaperKind {
     Section(DrawingChoice),
     /// The strip of every station of a set, as large as the paper allows.
     Templates(DrawingChoice),
+    /// The rolls of every station of a set as they stand in the line, with the strip.
+    Stations(DrawingChoice),
     /// The list of all rolls of a set.
     PartsList,
 }
@@ -34,6 +36,7 @@ impl PaperKind {
             Self::SetupSheet => "setup sheet",
             Self::Section(_) => "drawing of the section",
             Self::Templates(_) => "templates",
+            Self::Stations(_) => "drawings of the stations",
             Self::PartsList => "parts list",
         }
     }
@@ -41,7 +44,7 @@ impl PaperKind {
     /// True for papers of a set of form-rolls as a whole; the others are about one part.
     #[must_use]
     pub const fn is_of_set(self) -> bool {
-        matches!(self, Self::Section(_) | Self::Templates(_) | Self::PartsList)
+        matches!(self, Self::Section(_) | Self::Templates(_) | Self::Stations(_) | Self::PartsList)
     }
 
     /// The pages for `derived`, of a set those of every roll, whose machine and tools are in `catalog`.
@@ -52,6 +55,7 @@ impl PaperKind {
         match (self, &derived.rolls) {
             (Self::Section(choice), _) => section_drawing(derived, choice),
             (Self::Templates(choice), _) => templates(derived, choice),
+            (Self::Stations(choice), _) => stations(derived, choice),
             (Self::PartsList, _) => parts_list(derived),
             (_, Some(set)) => {
                 let pages = set.rolls.iter().map(|roll| self.pages(&roll.derived, catalog));

@@ -4,8 +4,10 @@ use super::page::Page;
 use super::setup_sheet::writer::{Cell, LINE_MM, Writer, cell, figure};
 use crate::diagnostic::{Diagnostic, Place};
 use crate::geometry::Contour;
+use crate::machine::Material;
 use crate::regen::{Derived, RollDerived};
 use crate::rollform::Roll;
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 /// Chords of a roll's contour for its volume, mm.
@@ -54,26 +56,52 @@ impl RollLine {
     }
 }
 
-/// Prices: those of the set, else those of its machine and material.
-struct Prices {
+/// Prices: those of the set, else those of its machine and of the material of every roll.
+struct Prices<'a> {
     per_hour: Option<f64>,
+    /// What the set says, for rolls of its material.
     per_kg: Option<f64>,
+    set_material: String,
     currency: String,
-    kg_per_dm3: Option<f64>,
+    /// Materials of rolls that are known, by their names as the rolls say them.
+    materials: BTreeMap<&'a str, &'a Material>,
 }
 
-impl Prices {
-    fn of(derived: &Derived) -> Self {
-        let own = derived.document.content.roll_set().map(|set| set.rates.clone()).unwrap_or_default();
+impl<'a> Prices<'a> {
+    fn of(derived: &'a Derived) -> Self {
+        let set = derived.document.content.roll_set();
+        let own = set.map(|set| set.rates.clone()).unwrap_or_default();
         let machine = derived.machine.as_ref().and_then(|machine| machine.cost.clone());
-        let material = derived.material.as_ref();
         Self {
             per_hour: own.machine_per_hour.or(machine.as_ref().map(|cost| cost.machine_per_hour)),
-            per_kg: own.price_per_kg.or(material.and_then(|m| m.price_per_kg)),
+            per_kg: own.price_per_kg,
+            set_material: set.map(|set| set.material.clone()).unwrap_or_default(),
             currency: own.currency.or(machine.map(|cost| cost.currency)).unwrap_or_default(),
-            kg_per_dm3: material.and_then(|m| m.density_kg_per_dm3),
+            materials: materials(derived),
         }
     }
+
+    /// Price of a kilogram of a material.
+    fn per_kg(&self, material: &str) -> Option<f64> {
+        let of_set = self.per_kg.filter(|_| material.eq_ignore_ascii_case(&self.set_material));
+        of_set.or_else(|| self.materials.get(material)?.price_per_kg)
+    }
+
+    fn kg_per_dm3(&self, material: &str) -> Option<f64> {
+        self.materials.get(material)?.density_kg_per_dm3
+    }
+}
+
+/// The materials of the rolls that were looked up when their programs were made.
+fn materials(derived: &Derived) -> BTreeMap<&str, &Material> {
+    let rolls = derived.rolls.iter().flat_map(|set| &set.rolls);
+    let known = rolls.filter_map(|roll| {
+        let name = roll.derived.document.content.turned_part()?.material.as_str();
+        let material = roll.derived.material.as_ref()?;
+        // Of an unknown name another material was taken, whose price and density say nothing.
+        material.name.eq_ignore_ascii_case(name).then_some((name, material))
+    });
+    known.collect()
 }
 
 /// The rolls of a set, station by station; none of another document.
@@ -86,12 +114,13 @@ pub fn roll_lines(derived: &Derived) -> Vec<RollLine> {
     rolls.map(|(number, roll)| line(number, roll, set.of_roll(roll.roll), &prices)).collect()
 }
 
-fn line(station: usize, roll: &Roll, made: Option<&RollDerived>, prices: &Prices) -> RollLine {
+fn line(station: usize, roll: &Roll, made: Option<&RollDerived>, prices: &Prices<'_>) -> RollLine {
     let part = &roll.part;
     let made = made.filter(|made| made.current);
     let setups = made.map(|made| made.derived.setups.as_slice()).unwrap_or_default();
     let bounds = roll.contour().bounds();
-    let mass = |volume_mm3: f64| prices.kg_per_dm3.map(|d| volume_mm3 * 1e-6 * d);
+    let density = prices.kg_per_dm3(&part.material);
+    let mass = |volume_mm3: f64| density.map(|d| volume_mm3 * 1e-6 * d);
     let ring = |radius: f64| PI * (radius * radius - (part.stock_bore_diameter / 2.0).powi(2)) * part.length;
     let time_s = (!setups.is_empty()).then(|| setups.iter().map(|s| s.proof.times.total_s).sum::<f64>());
     let blank_kg = mass(ring(part.bar_diameter / 2.0));
@@ -107,7 +136,7 @@ fn line(station: usize, roll: &Roll, made: Option<&RollDerived>, prices: &Prices
         blank_kg,
         roll_kg: mass(volume_mm3(&roll.contour()) - ring(0.0).abs()),
         time_s,
-        blank_cost: blank_kg.zip(prices.per_kg).map(|(kg, price)| kg * price),
+        blank_cost: blank_kg.zip(prices.per_kg(&part.material)).map(|(kg, price)| kg * price),
         machining_cost: time_s.zip(prices.per_hour).map(|(s, per_hour)| s / 3600.0 * per_hour),
         currency: prices.currency.clone(),
         proved: made.is_some_and(RollDerived::is_proved),
@@ -158,16 +187,17 @@ fn quoted(text: &str) -> String {
 }
 
 /// Columns of the printed list: name, left border and width in mm.
-const COLUMNS: [(&str, f64, f64); 9] = [
-    ("roll", 20.0, 36.0),
-    ("kind", 57.0, 24.0),
-    ("blank ⌀", 82.0, 16.0),
-    ("width", 99.0, 17.0),
-    ("bore ⌀", 117.0, 14.0),
-    ("mass kg", 132.0, 14.0),
-    ("time min", 147.0, 14.0),
-    ("cost", 162.0, 14.0),
-    ("state", 179.0, 16.0),
+const COLUMNS: [(&str, f64, f64); 10] = [
+    ("roll", 20.0, 28.0),
+    ("kind", 49.0, 18.0),
+    ("material", 68.0, 19.0),
+    ("blank ⌀", 88.0, 14.0),
+    ("width", 103.0, 15.0),
+    ("bore ⌀", 119.0, 12.0),
+    ("mass kg", 132.0, 13.0),
+    ("time min", 146.0, 13.0),
+    ("cost", 160.0, 14.0),
+    ("state", 177.0, 16.0),
 ];
 
 /// The pages of the parts list.
@@ -184,9 +214,9 @@ pub fn parts_list(derived: &Derived) -> Result<Vec<Page>, Diagnostic> {
     let mut writer = Writer::titled(format!("Parts list {}", derived.document.name));
     writer.heading(&format!("Form-rolls {}", derived.document.name), 5.0 * LINE_MM);
     let currency = lines.first().map(|l| l.currency.as_str()).filter(|c| !c.is_empty());
-    let material = lines.first().map_or("", |l| l.material.as_str());
-    let costs = currency.map_or_else(String::new, |c| format!(", cost in {c} without setting up"));
-    writer.row(&[cell(COLUMNS[0].1, 150.0, format!("material {material}{costs}"))]);
+    if let Some(currency) = currency {
+        writer.row(&[cell(COLUMNS[0].1, 150.0, format!("cost in {currency}, without setting up"))]);
+    }
     writer.row(&COLUMNS.map(|(name, z, width)| Cell { ink: super::Ink::Grey, ..column(z, width, name) }));
     writer.rule();
     for line in &lines {
@@ -197,19 +227,20 @@ pub fn parts_list(derived: &Derived) -> Result<Vec<Page>, Diagnostic> {
     Ok(writer.done())
 }
 
-/// Texts stand left in the first two columns and the last one, figures right.
+/// Texts stand left in the first three columns and the last one, figures right.
 fn column<'a>(z: f64, width: f64, text: impl Into<std::borrow::Cow<'a, str>>) -> Cell<'a> {
     /// First border of a column of figures and of what follows them, mm.
-    const FIGURES: (f64, f64) = (80.0, 178.0);
+    const FIGURES: (f64, f64) = (87.5, 176.5);
     if z > FIGURES.0 && z < FIGURES.1 { figure(z, width, text) } else { cell(z, width, text) }
 }
 
-fn cells(line: &RollLine) -> [Cell<'static>; 9] {
+fn cells(line: &RollLine) -> [Cell<'static>; 10] {
     let optional =
         |value: Option<f64>, decimals: usize| value.map_or_else(|| "–".to_owned(), |v| format!("{v:.decimals$}"));
     let texts = [
         line.name.clone(),
         line.kind.to_owned(),
+        line.material.clone(),
         format!("{:.1}", line.blank_diameter_mm),
         format!("{:.3}", line.width_mm),
         format!("{:.1}", line.bore_mm),
@@ -221,11 +252,12 @@ fn cells(line: &RollLine) -> [Cell<'static>; 9] {
     placed(texts)
 }
 
-fn totals(lines: &[RollLine]) -> [Cell<'static>; 9] {
+fn totals(lines: &[RollLine]) -> [Cell<'static>; 10] {
     let proved = lines.iter().filter(|l| l.proved).count();
     let none = String::new;
     placed([
         format!("{} rolls", lines.len()),
+        none(),
         none(),
         none(),
         none(),
@@ -248,7 +280,7 @@ fn total(values: impl Iterator<Item = Option<f64>>, per: f64, decimals: usize) -
     format!("{:.decimals$}{more}", known.iter().sum::<f64>() / per)
 }
 
-fn placed(texts: [String; 9]) -> [Cell<'static>; 9] {
+fn placed(texts: [String; 10]) -> [Cell<'static>; 10] {
     let mut columns = COLUMNS.iter();
     texts.map(|text| {
         let (_, z, width) = columns.next().copied().unwrap_or_default();

@@ -1,12 +1,12 @@
 //! Everything that is designed from a set: strip and rolls of every station, in one call.
 
 use super::drive::DriveDiameters;
-use super::editor::{EditFault, edited};
+use super::editor::{EditFault, decided, edited};
 use super::part::turned_part;
 use super::roll::{DesignedRoll, Frame, Openings, RollElement, StationRolls, contour, rules, station_rolls};
 use super::strip::Strip;
 use crate::diagnostic::{Diagnostic, Place, Severity, has_errors};
-use crate::document::{RollCopy, RollRef, RollSet, RollWork, TurnedPart};
+use crate::document::{RollCopy, RollKind, RollRef, RollSet, TurnedPart};
 use crate::geometry::{Contour, Segment};
 
 /// Strip and rolls of every station, mm.
@@ -129,15 +129,14 @@ pub fn design(name: &str, set: &RollSet) -> RollDesign {
         design.diagnostics.extend(rules::check(set, station, &here));
         design.stations.push(here);
     }
-    design.diagnostics.extend(rules::check_line(&design.stations));
+    design.diagnostics.extend(rules::check_line(set, &design.stations));
     design
 }
 
 /// A roll of a station with its edits, as a part.
 fn roll_of(name: &str, number: usize, roll: RollRef, own: &DesignedRoll, all: &[StationRolls], set: &RollSet) -> Roll {
     let name = format!("{name}-{number}{}", roll.kind.letter());
-    let nothing = RollWork::of(roll);
-    let work = set.roll(roll).unwrap_or(&nothing);
+    let work = decided(set, roll);
     let base = work.same_as.and_then(|copy| copied(set, all, copy, own, 0));
     let designed = base.unwrap_or_else(|| own.clone());
     let done = edited(&designed.elements, &work.edits);
@@ -147,7 +146,7 @@ fn roll_of(name: &str, number: usize, roll: RollRef, own: &DesignedRoll, all: &[
         let message = "The roll is to be the same as another one, and that one is not there.";
         diagnostics.push(Diagnostic::error("roll-copy", at.clone(), message).with_hint("Choose another roll."));
     }
-    let (part, more) = turned_part(set, work, &done.elements, &at);
+    let (part, more) = turned_part(set, &work, &done.elements, &at);
     diagnostics.extend(more);
     Roll {
         roll,
@@ -181,19 +180,21 @@ fn copied(
     }
     let index = set.stations.iter().position(|s| s.id == copy.roll.station)?;
     let source = all.get(index)?.rolls.iter().find(|r| r.kind == copy.roll.kind)?;
-    let work = set.roll(copy.roll);
-    let source = match work.and_then(|w| w.same_as) {
+    let work = decided(set, copy.roll);
+    let source = match work.same_as {
         Some(further) => copied(set, all, further, source, depth + 1)?,
         None => source.clone(),
     };
-    let elements = edited(&source.elements, work.map_or(&[], |w| &w.edits)).elements;
+    let elements = edited(&source.elements, &work.edits).elements;
     let width = contour(&elements).bounds().map_or(0.0, |b| b.max.z);
     let (elements, face) = if copy.mirrored {
         let turned = elements.iter().rev().map(|e| RollElement {
             segment: e.segment.mirrored_at_z(width / 2.0).reversed(),
             names: e.names.iter().rev().map(|name| name.mirrored()).collect(),
         });
-        (turned.collect(), -(source.frame.face + width))
+        // On a level axis it lies mirrored at the middle of the strip; beside the strip it stays at its height.
+        let level = matches!(own.kind, RollKind::Top | RollKind::Bottom);
+        (turned.collect(), if level { -(source.frame.face + width) } else { source.frame.face })
     } else {
         (elements, source.frame.face)
     };

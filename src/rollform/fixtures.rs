@@ -55,6 +55,7 @@ pub(crate) fn set(thickness: f64, origin: Origin, elements: Vec<Element>, statio
         line: LINE,
         stations,
         form_tolerance: 0.02,
+        die_clearance: None,
         rates: Rates::default(),
         rolls: Vec::new(),
     }

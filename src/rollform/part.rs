@@ -27,7 +27,7 @@ pub(super) fn turned_part(
     let sections: Vec<Section> = (1..).zip(elements).map(|(id, e)| section(id, &e.segment, bore)).collect();
     let mut part = TurnedPart {
         machine: set.machine.clone(),
-        material: set.material.clone(),
+        material: set.material_of(work.roll).to_owned(),
         bar_diameter,
         length: sections.iter().map(|s| s.z2).fold(0.0, f64::max),
         ends: Ends::One,

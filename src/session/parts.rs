@@ -138,15 +138,17 @@ fn change_part(document: &mut Document, shown: Option<(RollRef, TurnedPart)>, ch
             // What is shown may be older than the document.
             set.roll(roll).cloned().unwrap_or_else(|| RollWork::of(roll)).put_into(&mut before);
             before.machine.clone_from(&set.machine);
-            before.material.clone_from(&set.material);
+            set.material_of(roll).clone_into(&mut before.material);
             let mut after = before.clone();
             change(&mut after);
             if after == before {
                 return;
             }
             set.machine.clone_from(&after.machine);
-            set.material.clone_from(&after.material);
-            set.roll_mut(roll).take_from(&before, after);
+            let of_set = set.material.clone();
+            let work = set.roll_mut(roll);
+            work.take_from(&before, after);
+            work.material = work.material.take().filter(|own| !own.eq_ignore_ascii_case(&of_set));
         }
         (Content::RollSet(_) | Content::Shell(_), _) => {}
     }
@@ -181,6 +183,21 @@ mod tests {
         change_part(&mut edited, Some((TOP, shown)), |part| part.bar_diameter = 150.0);
         let work = set(&edited).roll(TOP).unwrap();
         assert_eq!(*work, RollWork { blank_diameter: Some(150.0), ..RollWork::of(TOP) });
+    }
+
+    #[test]
+    fn a_roll_has_a_material_of_its_own_until_it_is_that_of_the_set() {
+        let mut edited = document();
+        let shown = TurnedPart::default();
+        let choose = |edited: &mut Document, name: &str| {
+            change_part(edited, Some((TOP, shown.clone())), |part| name.clone_into(&mut part.material));
+        };
+        choose(&mut edited, "C45");
+        let other = RollRef { kind: RollKind::Bottom, ..TOP };
+        let of = |edited: &Document, roll| set(edited).material_of(roll).to_owned();
+        assert_eq!((of(&edited, TOP).as_str(), of(&edited, other).as_str()), ("C45", "STEEL"));
+        choose(&mut edited, "steel");
+        assert_eq!(set(&edited).roll(TOP).unwrap().material, None);
     }
 
     #[test]

@@ -89,7 +89,7 @@ fn what_is_wrong_is_said_at_its_place_and_the_rest_is_proved() {
     // A gear ratio that cannot be, and one that does not fit: the latter is a warning.
     let found = bench.with(|s| s.stations[1].gear_ratio = Some(-1.0));
     assert_eq!(place_of(&found, "gear-ratio"), station(2));
-    let found = bench.with(|s| s.line.gear_ratio = Some(1.0));
+    let found = bench.with(|s| s.line.gear_ratio = Some(1.1));
     assert_eq!((place_of(&found, "roll-drive-ratio"), proved(&found).as_str()), (station(1), all));
     // And after all that the set is as it was.
     assert_eq!(proved(&bench.with(|_| {})), all);
@@ -140,4 +140,106 @@ fn a_thousand_elements_are_designed_before_anybody_waits() {
     assert_eq!(design.rolls().count(), 2, "{:?}", design.diagnostics);
     assert!(design.rolls().all(|r| r.elements.len() > 1000));
     assert!(took < Duration::from_secs(20), "{took:?}");
+}
+
+/// Every number of a set in turn replaced by nonsense: the design ends, what it makes is finite, or an error says why not,
+/// and the stations that the number does not concern are as they were.
+#[test]
+fn whatever_number_is_nonsense_the_design_ends_and_only_sound_rolls_are_left() {
+    let set = Bench::new().document.content.roll_set().unwrap().clone();
+    let whole = serde_json::to_value(&set).unwrap();
+    let mut paths = Vec::new();
+    numbers(&whole, String::new(), &mut paths);
+    assert!(paths.len() > 150, "{}", paths.len());
+    let plain = turnwright::rollform::design("x", &set);
+    let (mut tried, mut slowest) = (0, (Duration::ZERO, String::new()));
+    for path in &paths {
+        for nonsense in [0.0, -1.0, 1e300, -1e300, 1e-300, 1e9] {
+            let mut value = whole.clone();
+            let place = value.pointer_mut(path).unwrap();
+            *place = if place.is_u64() { (nonsense as u32).into() } else { nonsense.into() };
+            let Ok(broken) = serde_json::from_value::<RollSet>(value) else { continue };
+            let start = Instant::now();
+            let design = turnwright::rollform::design("x", &broken);
+            let flower = turnwright::rollform::flower::Flower::of(&broken);
+            _ = turnwright::rollform::rules::check(&broken, &flower, turnwright::units::Unit::Mm);
+            slowest = slowest.max((start.elapsed(), format!("{path} = {nonsense}")));
+            tried += 1;
+            for roll in design.rolls().filter(|roll| design.is_sound(roll)) {
+                let finite = roll.contour().bounds().is_some_and(|b| b.min.is_finite() && b.max.is_finite());
+                assert!(finite, "{} is called sound with {path} = {nonsense}", roll.name);
+            }
+            if let Some(station) = path.strip_prefix("/stations/").and_then(|p| p.chars().next()?.to_digit(10))
+                && !path.contains("/bends/")
+                && !path.ends_with("/id")
+            {
+                let others = |d: &turnwright::rollform::RollDesign| -> Vec<_> {
+                    let others = d.stations.iter().filter(|s| s.number != station as usize + 1);
+                    others.flat_map(|s| s.rolls.iter().map(|r| r.elements.clone())).collect()
+                };
+                assert_eq!(others(&design), others(&plain), "{path} = {nonsense}");
+            }
+        }
+    }
+    println!("{tried} sets with nonsense; the slowest design took {:?}: {}", slowest.0, slowest.1);
+    assert!(slowest.0 < Duration::from_secs(5), "{slowest:?}");
+}
+
+/// Paths of all numbers of a value.
+fn numbers(value: &serde_json::Value, path: String, found: &mut Vec<String>) {
+    match value {
+        serde_json::Value::Number(_) => found.push(path),
+        serde_json::Value::Array(list) => {
+            list.iter().enumerate().for_each(|(index, child)| numbers(child, format!("{path}/{index}"), found));
+        }
+        serde_json::Value::Object(map) => {
+            map.iter().for_each(|(key, child)| numbers(child, format!("{path}/{key}"), found));
+        }
+        _ => {}
+    }
+}
+
+/// Numbers that are none cannot stand in a file, but an edit may bring them: they are refused or told, and nothing else suffers.
+#[test]
+fn what_is_no_number_is_told_and_the_other_stations_are_proved() {
+    let mut bench = Bench::new();
+    let others = "1T 1B 3T 3B 3L 3R";
+    for (what, change) in [
+        ("pass height", (|s| s.stations[1].pass_height = f64::NAN) as fn(&mut RollSet)),
+        ("infinite pass height", |s| s.stations[1].pass_height = f64::INFINITY),
+        ("pass height of 1e300", |s| s.stations[1].pass_height = 1e300),
+        ("centre distance", |s| s.stations[1].centre_distance = f64::NAN),
+        ("centre distance of 1e300", |s| s.stations[1].centre_distance = 1e300),
+        ("tolerance", |s| s.stations[1].tolerance_right = f64::NAN),
+        ("opening", |s| s.stations[1].pinch = Pinch::Gaps { drive: f64::NAN, clearance: 0.6 }),
+        ("extension", |s| s.stations[1].extension_right[0].lengths[2] = f64::NAN),
+        ("extension of 1e300", |s| s.stations[1].extension_right[0].lengths[1] = 1e300),
+    ] {
+        let start = Instant::now();
+        let found = bench.with(change);
+        let place = station(2);
+        let roll_of_2 = |at: &Place| matches!(at, Place::Roll { name } if name.starts_with("1470b-2"));
+        let told =
+            found.diagnostics.iter().any(|d| d.severity == Severity::Error && (d.at == place || roll_of_2(&d.at)));
+        assert!(told, "{what}: {:?}", found.diagnostics);
+        let proved = proved(&found);
+        assert!(proved.starts_with("1T 1B ") && proved.ends_with("3T 3B 3L 3R"), "{what}: {proved}");
+        assert!(start.elapsed() < Duration::from_secs(50), "{what} took {:?}", start.elapsed());
+    }
+    for change in [
+        (|s| s.section.elements[0].kind = ElementKind::Line { length: f64::NAN }) as fn(&mut RollSet),
+        |s| s.section.elements[1].kind = ElementKind::Bend { inside_radius: f64::NAN, angle_deg: 10.0 },
+        |s| s.section.elements[1].kind = ElementKind::Bend { inside_radius: 1.0, angle_deg: f64::INFINITY },
+        |s| s.section.thickness = f64::NAN,
+        |s| s.section.elements[0].kind = ElementKind::Line { length: 1e9 },
+        |s| s.section.elements[0].kind = ElementKind::Line { length: 1e300 },
+        |s| s.stations[0].bends[0].angle_deg = f64::NAN,
+    ] {
+        let found = bench.with(change);
+        assert!(found.diagnostics.iter().any(|d| d.severity == Severity::Error), "{:?}", found.diagnostics);
+        assert_eq!(proved(&found), "", "{:?}", found.diagnostics);
+    }
+    // A bore that is no number concerns the rolls on those shafts alone.
+    assert_eq!(proved(&bench.with(|s| s.line.shaft_diameter = f64::NAN)), "3L 3R");
+    assert_eq!(proved(&bench.with(|s| s.stations[1].pass_height = -5.0)), others);
 }

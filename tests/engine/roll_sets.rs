@@ -3,8 +3,9 @@
 use std::sync::Arc;
 use turnwright::cancel::Cancel;
 use turnwright::diagnostic::has_errors;
-use turnwright::document::Kind;
+use turnwright::document::{Content, Kind, RollKind, RollRef};
 use turnwright::machine::Catalog;
+use turnwright::papers::{RollLine, parts_list_csv, roll_lines};
 use turnwright::regen::{Cache, Derived, regenerate};
 use turnwright::storage::{document_from_text, examples_of};
 
@@ -27,4 +28,49 @@ fn every_roll_of_every_example_is_proved() {
             assert!(roll.is_proved(), "{}", roll.name);
         }
     }
+}
+
+/// A roll of its own material: planned for it, weighed and paid by it, named by programs, drawing and lists.
+#[test]
+fn a_roll_has_a_material_of_its_own() {
+    let example = examples_of(Kind::RollSet).find(|e| e.name == "1470b").unwrap();
+    let mut document = document_from_text(example.name, example.text).unwrap();
+    let Content::RollSet(set) = &mut document.content else { unreachable!("a set") };
+    set.stations.truncate(1);
+    let (top, bottom) = (RollKind::Top, RollKind::Bottom);
+    let roll = |kind| RollRef { station: set.stations[0].id, kind };
+    let (top, bottom) = (roll(top), roll(bottom));
+    set.material = "C45".to_owned();
+    set.rates.price_per_kg = Some(2.0);
+    set.roll_mut(top).material = Some("CuSn8".to_owned());
+    let mut catalog = Catalog::shipped();
+    for material in catalog.materials.iter_mut().filter(|m| m.name == "CuSn8") {
+        material.price_per_kg = Some(11.0);
+    }
+    let derived = regenerate(&Arc::new(document), &catalog, &mut Cache::default(), &Cancel::default()).unwrap();
+    let set = derived.rolls.as_ref().unwrap();
+    let texts = [top, bottom].map(|roll| {
+        let made = set.of_roll(roll).unwrap();
+        assert!(made.is_proved(), "{:?}", derived.diagnostics);
+        made.derived.setups[0].programs[0].text.clone()
+    });
+    let first_speed = |text: &String| {
+        let word = text.lines().find_map(|line| line.split_once("G96S")).map(|(_, rest)| rest.to_owned()).unwrap();
+        word.chars().take_while(char::is_ascii_digit).collect::<String>().parse::<f64>().unwrap()
+    };
+    // Roughing bronze and steel with carbide, by the material table.
+    assert_eq!(texts.each_ref().map(first_speed), [180.0, 220.0]);
+    let lines = roll_lines(&derived);
+    let [of_top, of_bottom] = lines.as_slice() else { panic!("{lines:?}") };
+    assert_eq!((of_top.material.as_str(), of_bottom.material.as_str()), ("CuSn8", "C45"));
+    let weight = |line: &RollLine, density: f64| {
+        let bar = std::f64::consts::FRAC_PI_4 * (line.blank_diameter_mm.powi(2) - line.bore_mm.powi(2));
+        assert!((line.blank_kg.unwrap() - bar * line.width_mm * density * 1e-6).abs() < 1e-9, "{line:?}");
+    };
+    weight(of_top, 8.8);
+    weight(of_bottom, 7.85);
+    let price = |line: &RollLine| line.blank_cost.unwrap() / line.blank_kg.unwrap();
+    assert!((price(of_top) - 11.0).abs() < 1e-9 && (price(of_bottom) - 2.0).abs() < 1e-9);
+    let csv = parts_list_csv(&lines);
+    assert!(csv.contains(",CuSn8,") && csv.contains(",C45,"), "{csv}");
 }

@@ -13,4 +13,6 @@ mod pictures;
 mod plan;
 mod roll_editor;
 mod rolls;
+mod rolls_dark;
+mod rolls_nonsense;
 mod shell;

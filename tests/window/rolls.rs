@@ -34,6 +34,7 @@ fn papers_of_the_set_and_of_the_roll_shown_are_saved() {
     let kinds = [
         PaperKind::Section(choice),
         PaperKind::Templates(choice),
+        PaperKind::Stations(choice),
         PaperKind::PartsList,
         PaperKind::Drawing(choice),
         PaperKind::SetupSheet,

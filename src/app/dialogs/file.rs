@@ -22,6 +22,10 @@ pub(crate) enum Purpose {
     Export,
     /// Save this text, which is a program.
     Program(Arc<str>),
+    /// Make a set of form-rolls of a drawing.
+    OpenSection,
+    /// Save a contour as a text.
+    Text(Arc<str>),
     /// Save papers of the part.
     Papers(PaperKind),
 }
@@ -31,6 +35,8 @@ impl Purpose {
         match self {
             Self::Open => "Open or import a part",
             Self::OpenProgram => "Open a program",
+            Self::OpenSection => "Import a cross-section",
+            Self::Text(_) => "Save the contour",
             Self::SaveAs => "Save as",
             Self::Export => "Export",
             Self::Program(_) => "Save the program",
@@ -38,6 +44,7 @@ impl Purpose {
             Self::Papers(PaperKind::SetupSheet) => "Save the setup sheet",
             Self::Papers(PaperKind::Section(_)) => "Save the drawing of the section",
             Self::Papers(PaperKind::Templates(_)) => "Save the templates",
+            Self::Papers(PaperKind::Stations(_)) => "Save the drawings of the stations",
             Self::Papers(PaperKind::PartsList) => "Save the parts list",
         }
     }
@@ -46,6 +53,8 @@ impl Purpose {
         match self {
             Self::Open => "Documents (.turn), ORACAP parts (.CAD), profiles (.dxf), section tables (.tsv).",
             Self::OpenProgram => "It takes the place of the program shown and is proved on this part.",
+            Self::OpenSection => "A drawing (.dxf) of the closed outline, or of the line in the middle of the strip.",
+            Self::Text(_) => "The published layout ends in .txt, a drawing in .dxf.",
             Self::SaveAs => "A document ends in .turn.",
             Self::Export => "The kind goes by the ending: .CAD, .dxf, .svg, .csv or .tsv.",
             Self::Program(_) => "The program with its control characters, as it goes over the line.",
@@ -57,8 +66,8 @@ impl Purpose {
 
     const fn verb(&self) -> &'static str {
         match self {
-            Self::Open | Self::OpenProgram => "Open",
-            Self::SaveAs | Self::Program(_) | Self::Papers(_) => "Save",
+            Self::Open | Self::OpenProgram | Self::OpenSection => "Open",
+            Self::SaveAs | Self::Text(_) | Self::Program(_) | Self::Papers(_) => "Save",
             Self::Export => "Export",
         }
     }
@@ -67,13 +76,16 @@ impl Purpose {
         match self {
             Self::Program(_) | Self::OpenProgram => "Programs",
             Self::Papers(_) => "Papers",
+            Self::OpenSection | Self::Text(_) => "Drawings",
             Self::Open | Self::SaveAs | Self::Export => "Parts",
         }
     }
 
     const fn endings(&self) -> &'static [&'static str] {
         match self {
-            Self::Open => &["turn", "cad", "CAD", "dxf", "DXF", "tsv"],
+            Self::Open => &["turn", "cad", "CAD", "dxf", "DXF", "tsv", "txt", "json"],
+            Self::OpenSection => &["dxf", "DXF"],
+            Self::Text(_) => &["txt", "dxf"],
             Self::OpenProgram => &["nc", "NC", "ngc", "cnc", "CNC", "tap", "txt", "anc", "bnc"],
             Self::SaveAs => &["turn"],
             Self::Export => &["CAD", "dxf", "svg", "csv", "tsv"],
@@ -114,7 +126,7 @@ impl FileDialog {
             if let Some(name) = start.file_name() {
                 dialog = dialog.set_file_name(name.to_string_lossy());
             }
-            let opens = matches!(purpose, Purpose::Open | Purpose::OpenProgram);
+            let opens = matches!(purpose, Purpose::Open | Purpose::OpenProgram | Purpose::OpenSection);
             let path = if opens { dialog.pick_file() } else { dialog.save_file() };
             // The window may be gone by now; then nobody waits for the answer.
             let _ = sender.send(path);
@@ -179,9 +191,10 @@ impl FileDialog {
         actions.push(match &self.purpose {
             Purpose::Open => Action::Open(path),
             Purpose::OpenProgram => Action::OpenProgram(path),
+            Purpose::OpenSection => Action::OpenSection(path),
             Purpose::SaveAs => Action::WriteTo(with_ending(path, "turn")),
             Purpose::Export => Action::WriteTo(path),
-            Purpose::Program(text) => Action::WriteText(path, Arc::clone(text)),
+            Purpose::Program(text) | Purpose::Text(text) => Action::WriteText(path, Arc::clone(text)),
             Purpose::Papers(kind) if path.extension().is_none() => Action::WritePapers(with_ending(path, "pdf"), *kind),
             Purpose::Papers(kind) => Action::WritePapers(path, *kind),
         });

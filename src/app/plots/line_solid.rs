@@ -266,10 +266,15 @@ impl Scene {
 
 /// A line that is not longer than can be drawn.
 fn shortened(sections: &[LoftSection]) -> Vec<LoftSection> {
+    let by = line_shortening(sections);
+    sections.iter().map(|s| LoftSection { along: s.along * by, ..s.clone() }).collect()
+}
+
+/// How long a line is drawn, as a part of its length: lines are many times longer than wide.
+pub(crate) fn line_shortening(sections: &[LoftSection]) -> f64 {
     let across = sections.iter().flat_map(|s| &s.bottom).map(|p| p.z.abs()).fold(0.0, f64::max) * 2.0;
     let length = sections.last().map_or(0.0, |s| s.along) - sections.first().map_or(0.0, |s| s.along);
-    let by = if length > 0.0 { (LONGEST * across / length).min(1.0) } else { 1.0 };
-    sections.iter().map(|s| LoftSection { along: s.along * by, ..s.clone() }).collect()
+    if length > 0.0 { (LONGEST * across / length).min(1.0) } else { 1.0 }
 }
 
 /// Points of both faces of a station's strip, one above the other.

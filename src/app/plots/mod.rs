@@ -28,6 +28,7 @@ pub use canvas::CanvasView;
 pub use coordinates::{Coordinates, fixed};
 pub use cut::{CutEvent, CutScene, CutView, clock, cut_plot};
 pub use flower::{FlowerEvent, FlowerPlotView, FlowerScene, flower_plot};
+pub(crate) use line_solid::line_shortening;
 pub use line_solid::{LineSolidView, LineSubject, line_solid};
 pub use palette::{LeftoverClass, Palette};
 pub use profile::{Dimension, End, NodeMove, Phase, ProfileEvent, ProfileScene, ProfileView, SectionEnd, profile_plot};

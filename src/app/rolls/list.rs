@@ -7,6 +7,7 @@ use crate::app::desk::Requests;
 use crate::app::theme::{self, Colors};
 use crate::app::widgets::{clock, title_row};
 use crate::document::{RollSet, RollWork};
+use crate::machine::Catalog;
 use crate::papers::{RollLine, roll_lines};
 use crate::regen::{Derived, RollDerived, Sent};
 use crate::rollform::Roll;
@@ -19,7 +20,7 @@ use std::sync::Arc;
 const NAME: f32 = 24.0;
 const STATE: f32 = 58.0;
 /// Width of a column of figures, points.
-const FIGURES: f32 = 52.0;
+const FIGURES: f32 = 46.0;
 /// Room at the right border, points.
 const BORDER: f32 = 8.0;
 /// Least width with a column for the material, and where it begins.
@@ -96,7 +97,7 @@ pub(super) fn show(
     titled: bool,
     session: &mut Session,
     views: &mut RollsViews,
-    _requests: &mut Requests,
+    requests: &mut Requests,
 ) -> bool {
     let document = Arc::clone(session.document());
     let derived = session.derived().map(Arc::clone);
@@ -123,7 +124,7 @@ pub(super) fn show(
         }
         total(ui, lines);
     });
-    costs(ui, set, lines, session);
+    costs(ui, set, session, &requests.catalog);
     if let Some(roll) = chosen {
         session.select_roll(roll);
     }
@@ -252,7 +253,7 @@ fn total(ui: &mut Ui, lines: &[RollLine]) {
 }
 
 /// What an hour and a kilogram cost; empty fields take what machine and material say.
-fn costs(ui: &mut Ui, set: &RollSet, lines: &[RollLine], session: &mut Session) {
+fn costs(ui: &mut Ui, set: &RollSet, session: &mut Session, catalog: &Catalog) {
     ui.add_space(6.0);
     let form = Form::two_even_columns(ui);
     let rates = &set.rates;
@@ -266,7 +267,9 @@ fn costs(ui: &mut Ui, set: &RollSet, lines: &[RollLine], session: &mut Session) 
         form.text(ui, session, Field::of("Currency"), rates.currency.as_deref().unwrap_or_default(), |s, text| {
             s.rates.currency = Some(text).filter(|text| !text.is_empty());
         });
-        let material = lines.first().map_or("", |line| line.material.as_str());
-        form.told(ui, "Material", &words::shortened(material));
+        let present = set.material.to_lowercase();
+        let names = words::material_names(catalog, session.document().unit, Some(present.clone()));
+        let all: Vec<(String, String)> = names.into_iter().map(|name| (name.clone(), name)).collect();
+        form.choice(ui, session, Field::of("Material"), &present, &all, |s, name| s.material = name);
     });
 }

@@ -1,7 +1,9 @@
 //! Rolls and strip of the station that is shown, the strip through the line, or the roll that is shown, in the round.
 
 use super::RollsViews;
-use crate::app::plots::{LineSolidView, LineSubject, Palette, SolidScene, SolidView, line_solid, solid_view};
+use crate::app::plots::{
+    LineSolidView, LineSubject, Palette, SolidScene, SolidView, line_shortening, line_solid, solid_view,
+};
 use crate::app::theme::{self, Colors};
 use crate::app::widgets::{title_row, toggle};
 use crate::document::{Document, RollRef};
@@ -56,8 +58,9 @@ pub(super) struct RoundView {
 /// Shows the panel; true if it is dragged by its title.
 pub(super) fn show(ui: &mut Ui, titled: bool, session: &Session, views: &mut RollsViews) -> bool {
     let view = &mut views.solid;
-    let remark = if view.shown == Shown::Line { "a long line is drawn shorter" } else { "" };
-    let dragged = title_row(ui, titled.then_some("3D"), remark, |ui| {
+    let shortening = view.made.as_ref().filter(|_| view.shown == Shown::Line).map(|(_, all)| line_shortening(all));
+    let remark = shortening.filter(|by| *by < 1.0).map(|by| format!("its length drawn 1 : {:.1}", 1.0 / by));
+    let dragged = title_row(ui, titled.then_some("3D"), &remark.unwrap_or_default(), |ui| {
         for (which, name) in ALL {
             let mut on = view.shown == which;
             if toggle(ui, &mut on, name).clicked() {

@@ -155,6 +155,10 @@ impl Fields<'_> {
             form.length(ui, session, Field::of("Drawn gap"), line.drawn_gap, unit, |s, v| s.line.drawn_gap = v);
         });
         Form::row(ui, |ui| {
+            let value = self.set.die_clearance.unwrap_or(RollSet::DIE_CLEARANCE_MM / unit.in_mm());
+            form.length(ui, session, Field::of("Die clearance"), value, unit, |s, v| s.die_clearance = Some(v));
+        });
+        Form::row(ui, |ui| {
             form.maybe_figure(ui, session, Field::of("Gear ratio"), line.gear_ratio, |s, v| s.line.gear_ratio = v);
         });
         Form::row(ui, |ui| {

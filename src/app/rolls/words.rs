@@ -1,6 +1,7 @@
 //! Words and figures that the panels of a set share.
 
 use crate::document::{DevelopedWidth, Element, Opening, Origin, RollSet};
+use crate::machine::Catalog;
 use crate::units::{Unit, parse_length};
 
 /// Decimals of an angle on the screen, degrees.
@@ -46,10 +47,12 @@ pub(super) fn number(set: &RollSet, id: u32) -> String {
     in_list(&set.section.elements).map(|n| n.to_string()).or_else(other).unwrap_or_else(|| "?".to_owned())
 }
 
-/// A text that fits beside a label in half the width of a panel.
-pub(super) fn shortened(text: &str) -> String {
-    const MOST: usize = 12;
-    if text.chars().count() <= MOST { text.to_owned() } else { text.chars().take(MOST - 1).chain(['…']).collect() }
+/// Names of the materials of a unit in small letters, and the present one if the table has it not.
+pub(super) fn material_names(catalog: &Catalog, unit: Unit, present: Option<String>) -> Vec<String> {
+    let of_unit = catalog.materials.iter().filter(|material| material.unit == unit);
+    let names: Vec<String> = of_unit.map(|material| material.name.to_lowercase()).collect();
+    let unknown = present.filter(|name| !names.contains(name));
+    unknown.into_iter().chain(names).collect()
 }
 
 /// An angle without needless zeros.

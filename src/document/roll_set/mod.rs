@@ -24,7 +24,7 @@ pub use station::{
 pub struct RollSet {
     /// Machine id of the lathe that turns the rolls.
     pub machine: String,
-    /// Material of the rolls, as in the material table.
+    /// Material of the rolls, as in the material table; a roll may have its own.
     pub material: String,
     /// What the strip is made of.
     pub strip: StripMaterial,
@@ -45,6 +45,9 @@ pub struct RollSet {
     pub stations: Vec<Station>,
     /// Deviation from its contour that the proof of a roll allows.
     pub form_tolerance: f64,
+    /// Clearance of the die block's aperture around the finished strip; [`RollSet::DIE_CLEARANCE_MM`] when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub die_clearance: Option<f64>,
     /// What machining and material cost for this set.
     #[serde(default, skip_serializing_if = "super::is_default")]
     pub rates: Rates,
@@ -54,6 +57,15 @@ pub struct RollSet {
 }
 
 impl RollSet {
+    /// Clearance of a die block's aperture where none is given, mm: room for the strip to slide through.
+    pub const DIE_CLEARANCE_MM: f64 = 0.05;
+
+    /// Clearance of the die block's aperture of a set in mm.
+    #[must_use]
+    pub fn die_clearance_mm(&self) -> f64 {
+        self.die_clearance.unwrap_or(Self::DIE_CLEARANCE_MM)
+    }
+
     /// The same set with every length multiplied by `factor`, as when the unit changes.
     #[must_use]
     pub fn scaled(&self, factor: f64) -> Self {
@@ -62,6 +74,7 @@ impl RollSet {
             line: self.line.scaled(factor),
             stations: self.stations.iter().map(|s| s.scaled(factor)).collect(),
             form_tolerance: self.form_tolerance * factor,
+            die_clearance: self.die_clearance.map(|clearance| clearance * factor),
             rolls: self.rolls.iter().map(|r| r.scaled(factor)).collect(),
             ..self.clone()
         }
@@ -77,6 +90,12 @@ impl RollSet {
     #[must_use]
     pub fn roll(&self, roll: RollRef) -> Option<&RollWork> {
         self.rolls.iter().find(|r| r.roll == roll)
+    }
+
+    /// What a roll is made of, as in the material table.
+    #[must_use]
+    pub fn material_of(&self, roll: RollRef) -> &str {
+        self.roll(roll).and_then(|work| work.material.as_deref()).unwrap_or(&self.material)
     }
 
     /// What was decided about a roll, to be changed; begun if nothing was.

@@ -12,7 +12,7 @@ pub struct Rates {
     /// Machine and operator, per hour.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub machine_per_hour: Option<f64>,
-    /// Material of the rolls, per kg of the blank.
+    /// Material of the set, per kg of the blank; rolls of another material cost what the material table says.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub price_per_kg: Option<f64>,
 }

@@ -79,6 +79,12 @@ pub struct RollWork {
     /// Another roll whose contour it has, edits included, in place of one designed for its station.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub same_as: Option<RollCopy>,
+    /// True of the left roll of a symmetrical section whose contour is its own, edits or none: otherwise it is as the right one.
+    #[serde(default, skip_serializing_if = "crate::document::is_default")]
+    pub own_contour: bool,
+    /// What it is made of, as in the material table; the material of the set when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub material: Option<String>,
     /// Diameter of the blank; the next standard one when absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub blank_diameter: Option<f64>,
@@ -118,6 +124,8 @@ impl RollWork {
             roll,
             edits: Vec::new(),
             same_as: None,
+            own_contour: false,
+            material: None,
             blank_diameter: None,
             generator: None,
             plan: PlanEdits::default(),
@@ -138,6 +146,9 @@ impl RollWork {
 
     /// Takes over what an edit of that part changed.
     pub fn take_from(&mut self, before: &TurnedPart, after: TurnedPart) {
+        if after.material != before.material {
+            self.material = Some(after.material);
+        }
         if (after.bar_diameter - before.bar_diameter).abs() > 0.0 {
             self.blank_diameter = Some(after.bar_diameter);
         }

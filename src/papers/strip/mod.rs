@@ -1,6 +1,8 @@
-//! Papers about the strip of a set of form-rolls: the drawing of its finished section, and the templates of its stations.
+//! Papers about the strip of a set of form-rolls: the drawing of its finished section, the templates of its stations, and the
+//! stations with their rolls.
 
 mod section;
+mod station;
 mod template;
 #[cfg(test)]
 mod tests;
@@ -20,6 +22,7 @@ use crate::rollform::strip::Strip;
 use crate::units::Unit;
 
 pub(super) use section::section_drawing;
+pub(super) use station::stations;
 pub(super) use template::templates;
 
 /// Room that dimensions need on every side of a view, mm.
@@ -106,7 +109,12 @@ struct Placed {
 /// # Errors
 /// A diagnostic with the largest scale that fits if the one asked for does not.
 fn placed(strip: &Strip, choice: DrawingChoice, most: f64) -> Result<Placed, Diagnostic> {
-    let Some(bounds) = strip.outline().bounds() else {
+    placed_within(strip.outline().bounds(), choice, most)
+}
+
+/// The same for anything that has these bounds.
+fn placed_within(bounds: Option<Bounds>, choice: DrawingChoice, most: f64) -> Result<Placed, Diagnostic> {
+    let Some(bounds) = bounds else {
         let message = "There is no strip to draw: the cross-section has 0 elements.";
         return Err(Diagnostic::error("nothing-to-draw", Place::Document, message));
     };

@@ -70,6 +70,48 @@ fn a_scale_that_does_not_fit_is_refused_with_the_largest_that_does() {
 }
 
 #[test]
+fn every_station_is_drawn_with_its_rolls_on_any_paper() {
+    let content = Content::RollSet(crate::rollform::fixtures::published_rolls());
+    let document = Document { turnwright: FORMAT_VERSION, name: "1470b".to_owned(), unit: Unit::Mm, content };
+    let document = Arc::new(document);
+    // The first results of a set are its design; programs are not needed.
+    let (mut first, cancel) = (None, Cancel::default());
+    let mut tell = |made: Derived| {
+        first = first.take().or(Some(made));
+        cancel.cancel();
+    };
+    let steps = crate::regen::Steps { first: None, tell: &mut tell };
+    let mut cache = Cache::default();
+    _ = crate::regen::regenerate_in_steps(&document, &Catalog::shipped(), &mut cache, &cancel, steps);
+    let derived = first.unwrap();
+    for paper in Paper::ALL {
+        let pages = stations(&derived, DrawingChoice { paper: Some(paper), scale: None }).unwrap();
+        assert_eq!(pages.len(), 3);
+        assert!(pages.iter().all(is_inside), "{paper:?}");
+        let drawn = texts(&pages[1]);
+        for wanted in
+            ["2T", "2B", "147.3", "pass height 74.295", "axes 130.683", "openings 0.5 and 0.61", "drawn 10 apart"]
+        {
+            assert!(drawn.iter().any(|text| text.contains(wanted)), "{wanted}: {drawn:?}");
+        }
+    }
+    // The strip lies in the gap: on paper top and bottom roll are the gap apart where they touch it otherwise.
+    let scale = 0.5;
+    let page = &stations(&derived, DrawingChoice { paper: Some(Paper::A2), scale: Some(scale) }).unwrap()[1];
+    let areas: Vec<_> = page
+        .items
+        .iter()
+        .filter_map(|item| match item {
+            Item::Path { path, fill: Some(_), .. } => path.bounds(),
+            _ => None,
+        })
+        .collect();
+    let (top, bottom) = (areas[areas.len() - 3], areas[areas.len() - 2]);
+    let axes = top.max.r - bottom.min.r;
+    assert!((axes - (130.683 + 10.0) * scale).abs() < 1e-6, "{axes}");
+}
+
+#[test]
 fn nothing_to_draw_says_so() {
     let mut set = published();
     set.stations.clear();

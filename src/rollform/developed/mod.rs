@@ -86,6 +86,23 @@ mod tests {
     }
 
     #[test]
+    fn every_method_has_its_width_of_the_published_section() {
+        let methods = [
+            DevelopedWidth::RolfomTable,
+            DevelopedWidth::MeanLine,
+            DevelopedWidth::Din6935,
+            DevelopedWidth::Asm,
+            DevelopedWidth::AsmLessFormable,
+            DevelopedWidth::Angel,
+            DevelopedWidth::Own { k: 0.4 },
+        ];
+        for method in methods {
+            println!("{method:?}: {:.4} mm", width(method));
+            assert!((width(method) - 112.4).abs() < 1.0, "{method:?}: {}", width(method));
+        }
+    }
+
+    #[test]
     fn a_thicker_share_never_makes_the_strip_narrower() {
         let widths = [0.0, 0.3, 0.4, 0.5, 1.0].map(|k| width(DevelopedWidth::Own { k }));
         assert!(widths.is_sorted());

@@ -7,17 +7,21 @@
 //! chapter 6.
 
 mod carrier;
+mod copy;
 mod corner;
 mod fault;
 mod shape;
 mod splice;
+mod symmetry;
 
 #[cfg(test)]
 mod tests;
 
 use super::roll::RollElement;
 use crate::document::{EditAction, ElementName, RollEdit};
+pub use copy::{copied_edits, edits_for, twin_edit};
 pub use fault::{EditFault, described};
+pub use symmetry::{begin_own, decided, follows_right, may_follow_right};
 
 /// What became of the edits of a contour.
 #[derive(Debug, Clone, PartialEq)]

@@ -20,6 +20,13 @@ pub(super) fn check(subject: &Subject<'_>) -> Vec<Diagnostic> {
     let figures = [("ratio of the shafts' speeds", line.gear_ratio), ("speed of the bottom shafts", line.bottom_rpm)];
     let bad = figures.into_iter().filter_map(|(what, value)| Some((what, value.filter(|v| *v <= 0.0)?)));
     found.extend(bad.map(|(what, value)| report(what, value.to_string())));
+    found.extend(subject.set.die_clearance.filter(|clearance| *clearance < 0.0).map(|clearance| {
+        let message = format!(
+            "The clearance of the die block's aperture is {}; it must be 0 or more.",
+            subject.length(clearance)
+        );
+        Diagnostic::error("die-clearance", Place::Document, message)
+    }));
     found
 }
 
@@ -38,6 +45,7 @@ mod tests {
         set.line.side_shaft_diameter = 0.0;
         set.line.gear_ratio = Some(0.0);
         set.line.bottom_rpm = Some(-3.0);
-        assert_eq!(found(check, &set).len(), 5);
+        set.die_clearance = Some(-0.1);
+        assert_eq!(found(check, &set).len(), 6);
     }
 }

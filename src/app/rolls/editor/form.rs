@@ -1,10 +1,13 @@
 //! The edit that is being prepared: what is done, and its figures, typed or picked in the plot.
 
+use crate::app::rolls::words;
 use crate::app::theme::{self, Colors};
 use crate::app::widgets::{Typed, choice, field, form_label, length_field, primary_button, remark, toggle};
 use crate::document::{EditAction, ElementName, NewElement, RollPoint, TangentSide};
-use crate::geometry::Point;
+use crate::geometry::{Point, Segment};
+use crate::rollform::Roll;
 use crate::rollform::editor::described;
+use crate::rollform::roll::RollElement;
 use crate::units::Unit;
 use egui::{Ui, vec2};
 
@@ -47,6 +50,9 @@ impl Tool {
         !matches!(self, Self::Chamfer | Self::Blend | Self::Delete)
     }
 }
+
+/// What a distance is called, in place of a point.
+const MOVED_BY: &str = "Moved by";
 
 /// Which figure the next click in the plot gives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -132,9 +138,11 @@ impl Draft {
         }
     }
 
-    /// Takes a clicked place, in mm, if one was asked for.
-    pub(super) fn take_point(&mut self, p: Point, unit: Unit) {
-        let point = RollPoint { z: p.z / unit.in_mm(), diameter: 2.0 * p.r / unit.in_mm() };
+    /// Takes a clicked place, in mm, if one was asked for. Of a circle that is moved it is where its centre goes.
+    pub(super) fn take_point(&mut self, p: Point, unit: Unit, elements: &[RollElement]) {
+        let from = if self.tool == Tool::Moved { self.center_of_other(elements) } else { Some(Point::default()) };
+        let Some(from) = from else { return };
+        let point = RollPoint { z: (p.z - from.z) / unit.in_mm(), diameter: 2.0 * (p.r - from.r) / unit.in_mm() };
         match self.pick {
             Some(Pick::First) => self.first = point,
             Some(Pick::Second) => self.second = point,
@@ -142,17 +150,52 @@ impl Draft {
         }
         self.pick = None;
     }
+
+    fn center_of_other(&self, elements: &[RollElement]) -> Option<Point> {
+        let name = self.other?;
+        elements.iter().find(|e| e.has(name)).and_then(|e| match e.segment {
+            Segment::Arc { center, .. } => Some(center),
+            Segment::Line { .. } => None,
+        })
+    }
 }
 
-/// Shows the form; true if the edit is to be made. `fault` is why it does not fit.
+/// A field for the number of an element, as it stands in the published layout.
+fn number(ui: &mut Ui, name: &str, of: &mut Option<ElementName>, elements: &[RollElement], width: f32) {
+    let present = of.and_then(|name| elements.iter().rposition(|e| e.has(name)));
+    let shown = present.map_or_else(String::new, |index| (index + 1).to_string());
+    let read = |text: &str| {
+        let number = text.trim().parse::<usize>().ok();
+        let found = number.and_then(|number| elements.get(number.checked_sub(1)?)?.names.last().copied());
+        found.ok_or_else(|| format!("“{}” is no element. Type a number from 1 to {}.", text.trim(), elements.len()))
+    };
+    if let Some(Typed::Value(name) | Typed::Left(Some(name))) = field(ui, name, &shown, width, read) {
+        *of = Some(name);
+    }
+}
+
+/// What the form is about.
+pub(super) struct Asked<'a> {
+    /// The roll that is edited.
+    pub(super) roll: &'a Roll,
+    /// Unit of the document.
+    pub(super) unit: Unit,
+    /// True if nothing is missing.
+    pub(super) ready: bool,
+    /// Why the edit does not fit.
+    pub(super) fault: Option<&'a str>,
+}
+
+/// Shows the form; true if the edit is to be made. `both` is whether it is made on both sides, where it can be.
 pub(super) fn show(
     ui: &mut Ui,
     draft: &mut Draft,
-    chosen: Option<ElementName>,
-    unit: Unit,
-    ready: bool,
-    fault: Option<&str>,
+    chosen: &mut Option<ElementName>,
+    asked: &Asked<'_>,
+    both: Option<&mut bool>,
 ) -> bool {
+    let elements = &asked.roll.elements;
+    row(ui, "Element", |ui| number(ui, "Element number", chosen, elements, FIELD));
     let all: Vec<(Tool, String)> = Tool::ALL.iter().map(|&(tool, text)| (tool, text.to_owned())).collect();
     row(ui, "Edit", |ui| {
         if let Some(tool) = choice(ui, "Edit", &draft.tool, &all, FIELD) {
@@ -161,18 +204,18 @@ pub(super) fn show(
     });
     if draft.tool.makes_element() {
         row(ui, "Place", |ui| {
-            let places = [(false, "behind the chosen one".to_owned()), (true, "in place of it".to_owned())];
+            let places = [(false, "behind it".to_owned()), (true, "in its place".to_owned())];
             if let Some(replace) = choice(ui, "Place", &draft.replace, &places, FIELD) {
                 draft.replace = replace;
             }
         });
     }
-    figures(ui, draft, unit);
+    figures(ui, draft, asked.unit, elements);
     let colors = Colors::of(ui.visuals());
     let mut apply = false;
-    match (chosen, fault) {
+    match (*chosen, asked.fault) {
         (None, _) => {
-            ui.label(theme::quiet("Click an element in the plot first.", colors));
+            ui.label(theme::quiet("Click an element in the plot, or type its number.", colors));
         }
         (Some(_), Some(fault)) => remark(ui, fault),
         (Some(name), None) => {
@@ -182,12 +225,15 @@ pub(super) fn show(
     }
     ui.horizontal(|ui| {
         ui.add_space(LABEL + 8.0);
-        apply = primary_button(ui, "Apply", ready && fault.is_none()).clicked();
+        apply = primary_button(ui, "Apply", asked.ready && asked.fault.is_none()).clicked();
+        if let Some(both) = both {
+            toggle(ui, both, "on both sides").on_hover_text("Keeps left and right of the roll alike");
+        }
     });
     apply
 }
 
-fn figures(ui: &mut Ui, draft: &mut Draft, unit: Unit) {
+fn figures(ui: &mut Ui, draft: &mut Draft, unit: Unit, elements: &[RollElement]) {
     match draft.tool {
         Tool::Chamfer => size(ui, draft, "Depth", unit),
         Tool::Blend => size(ui, draft, "Radius", unit),
@@ -198,17 +244,13 @@ fn figures(ui: &mut Ui, draft: &mut Draft, unit: Unit) {
         Tool::Angle => {
             first(ui, draft, "Point", unit);
             row(ui, "Angle", |ui| {
-                let shown = format!("{}°", draft.angle_deg);
-                let read = |text: &str| {
-                    let figure = text.trim().trim_end_matches('°').trim().parse::<f64>().ok().filter(|v| v.is_finite());
-                    figure.ok_or_else(|| format!("\"{text}\" is no angle in degrees."))
-                };
-                take(field(ui, "Angle", &shown, FIELD, read), &mut draft.angle_deg);
+                let shown = format!("{}°", words::angle(draft.angle_deg));
+                take(field(ui, "Angle", &shown, FIELD, words::parse_angle), &mut draft.angle_deg);
             });
         }
         Tool::Parallel => {
             first(ui, draft, "Point", unit);
-            other(ui, draft, "Parallel to");
+            other(ui, draft, "Parallel to", elements);
         }
         Tool::Radius => {
             first(ui, draft, "Centre", unit);
@@ -219,8 +261,8 @@ fn figures(ui: &mut Ui, draft: &mut Draft, unit: Unit) {
             second(ui, draft, "Point", unit);
         }
         Tool::Moved => {
-            other(ui, draft, "Circle of");
-            second(ui, draft, "Moved by", unit);
+            other(ui, draft, "Circle of", elements);
+            second(ui, draft, MOVED_BY, unit);
         }
         Tool::Tangent => {
             size(ui, draft, "Radius", unit);
@@ -255,18 +297,21 @@ fn place(ui: &mut Ui, pick: &mut Option<Pick>, which: Pick, point: &mut RollPoin
             *pick = on.then_some(which);
         }
     });
-    row(ui, "  z, ⌀", |ui| {
+    row(ui, if name == MOVED_BY { "  dz, d⌀" } else { "  z, ⌀" }, |ui| {
         let half = (FIELD - 8.0) / 2.0;
         take(length_field(ui, &format!("{name} z"), point.z, unit, half), &mut point.z);
         take(length_field(ui, &format!("{name} ⌀"), point.diameter, unit, half), &mut point.diameter);
     });
 }
 
-fn other(ui: &mut Ui, draft: &mut Draft, name: &str) {
+fn other(ui: &mut Ui, draft: &mut Draft, name: &str, elements: &[RollElement]) {
+    /// Width of the number, points.
+    const NUMBER: f32 = 44.0;
     row(ui, name, |ui| {
+        number(ui, name, &mut draft.other, elements, NUMBER);
         let mut on = draft.pick == Some(Pick::Other);
         let text = match (on, draft.other) {
-            (true, _) => "click an element".to_owned(),
+            (true, _) => "click one".to_owned(),
             (false, Some(name)) => described(name),
             (false, None) => "pick in the plot".to_owned(),
         };

@@ -4,22 +4,22 @@ use crate::app::theme::{self, Colors};
 use crate::app::widgets::link;
 use crate::document::{EditAction, NewElement, RollEdit};
 use crate::rollform::Roll;
-use crate::rollform::editor::described;
+use crate::rollform::editor::{begin_own, decided, described};
 use crate::session::Session;
-use egui::{RichText, ScrollArea, Ui};
+use egui::{RichText, Ui};
 
 /// Shows the list.
 pub(super) fn show(ui: &mut Ui, session: &mut Session, roll: &Roll) {
     let colors = Colors::of(ui.visuals());
     let document = std::sync::Arc::clone(session.document());
-    let edits = document.content.roll_set().and_then(|set| set.roll(roll.roll)).map(|work| work.edits.as_slice());
-    let edits = edits.unwrap_or_default();
+    let work = document.content.roll_set().map(|set| decided(set, roll.roll));
+    let edits = work.as_ref().map(|work| work.edits.as_slice()).unwrap_or_default();
     ui.horizontal(|ui| {
         ui.label(theme::strong("Edits"));
         ui.label(theme::quiet(edits.len().to_string(), colors));
     });
     let mut gone = None;
-    ScrollArea::vertical().id_salt("roll-edits").auto_shrink([false, false]).show(ui, |ui| {
+    ui.vertical(|ui| {
         for (number, edit) in (1..).zip(edits) {
             let fault = roll.faults.iter().find(|fault| fault.edit == edit.id);
             ui.horizontal(|ui| {
@@ -43,7 +43,7 @@ pub(super) fn show(ui: &mut Ui, session: &mut Session, roll: &Roll) {
         let at = roll.roll;
         session.edit("removed edit of a roll", None, |document| {
             if let Some(set) = super::super::set_mut(document) {
-                set.roll_mut(at).edits.retain(|edit| edit.id != id);
+                begin_own(set, at).edits.retain(|edit| edit.id != id);
             }
         });
     }

@@ -8,10 +8,10 @@ use super::RollsViews;
 use crate::app::desk::Requests;
 use crate::app::plots::{CanvasView, Palette, RollPlotEvent, RollScene, fixed, roll_plot};
 use crate::app::theme::{self, Colors};
-use crate::app::widgets::{link, title_row};
-use crate::document::{ElementName, RollEdit, RollRef, RollSet};
+use crate::app::widgets::{link, title_row, toggle};
+use crate::document::{ElementName, Origin, RollEdit, RollKind, RollRef, RollSet};
 use crate::rollform::Roll;
-use crate::rollform::editor::{described, edited};
+use crate::rollform::editor::{begin_own, decided, described, edited, twin_edit};
 use crate::session::Session;
 use crate::units::Unit;
 use egui::{Ui, vec2};
@@ -20,12 +20,29 @@ use form::Draft;
 /// Width of the column with form and list, points.
 const COLUMN: f32 = 258.0;
 /// What the panel keeps.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct EditorView {
     canvas: CanvasView,
     roll: Option<RollRef>,
     chosen: Option<ElementName>,
     draft: Draft,
+    /// Edits of a symmetrical section's rolls are made on both sides.
+    both_sides: bool,
+    /// What concerns the whole roll is shown in place of its edits.
+    of_roll: bool,
+}
+
+impl Default for EditorView {
+    fn default() -> Self {
+        Self {
+            canvas: CanvasView::default(),
+            roll: None,
+            chosen: None,
+            draft: Draft::default(),
+            both_sides: true,
+            of_roll: false,
+        }
+    }
 }
 
 /// Shows the panel; true if it is dragged by its title.
@@ -48,6 +65,8 @@ pub(super) fn show(
         if link(ui, "fit").clicked() {
             view.canvas.fit();
         }
+        toggle(ui, &mut view.of_roll, "contour and material")
+            .on_hover_text("Where the contour comes from, and the material");
     });
     let (Some(roll), Some(set)) = (roll, document.content.roll_set()) else {
         let colors = Colors::of(ui.visuals());
@@ -55,7 +74,8 @@ pub(super) fn show(
         return dragged;
     };
     if view.roll != Some(roll.roll) {
-        *view = EditorView { roll: Some(roll.roll), ..EditorView::default() };
+        let (both_sides, of_roll) = (view.both_sides, view.of_roll);
+        *view = EditorView { roll: Some(roll.roll), both_sides, of_roll, ..EditorView::default() };
     }
     let pending = view.draft.action(view.chosen).map(|action| RollEdit { id: free_id(set, roll.roll), action });
     let tried = pending.as_ref().map(|edit| {
@@ -63,6 +83,7 @@ pub(super) fn show(
         edited(&roll.elements, std::slice::from_ref(&edit))
     });
     let preview = tried.as_ref().filter(|tried| tried.faults.is_empty()).map(|tried| tried.elements.as_slice());
+    let twin = pending.as_ref().and_then(|edit| twin(set, roll, edit, document.unit));
     let fault = tried.as_ref().and_then(|tried| tried.faults.first()).map(|fault| fault.message.clone());
     ui.horizontal_top(|ui| {
         let room = ui.available_size();
@@ -73,14 +94,20 @@ pub(super) fn show(
         ui.allocate_ui(vec2(COLUMN, room.y), |ui| {
             ui.vertical(|ui| {
                 ui.set_width(COLUMN);
-                reuse::show(ui, session, set, roll);
-                let chosen = view.chosen;
-                let apply = form::show(ui, &mut view.draft, chosen, document.unit, pending.is_some(), fault.as_deref());
-                if let Some(edit) = pending.filter(|_| apply) {
-                    add(session, roll.roll, edit);
+                if view.of_roll {
+                    return reuse::show(ui, session, set, roll, &requests.catalog);
                 }
-                ui.add_space(6.0);
-                list::show(ui, session, roll);
+                egui::ScrollArea::vertical().id_salt("roll-edit").auto_shrink([false, false]).show(ui, |ui| {
+                    let asked =
+                        form::Asked { roll, unit: document.unit, ready: pending.is_some(), fault: fault.as_deref() };
+                    let both = twin.is_some().then_some(&mut view.both_sides);
+                    let apply = form::show(ui, &mut view.draft, &mut view.chosen, &asked, both);
+                    if let Some(edit) = pending.filter(|_| apply) {
+                        add(session, roll.roll, std::iter::once(edit).chain(twin.filter(|_| view.both_sides)));
+                    }
+                    ui.add_space(6.0);
+                    list::show(ui, session, roll);
+                });
             });
         });
     });
@@ -123,7 +150,7 @@ fn plot(
                     view.chosen = name;
                 }
             }
-            RollPlotEvent::At(p) => view.draft.take_point(p, unit),
+            RollPlotEvent::At(p) => view.draft.take_point(p, unit, &roll.elements),
             RollPlotEvent::Pointer(p) => {
                 let in_mm = unit.in_mm();
                 requests.place = requests.place.clone().or(Some(format!(
@@ -139,14 +166,21 @@ fn plot(
 
 /// An id that no edit of a roll has.
 fn free_id(set: &RollSet, roll: RollRef) -> u32 {
-    let edits = set.roll(roll).map(|work| work.edits.as_slice()).unwrap_or_default();
-    edits.iter().map(|edit| edit.id).max().map_or(1, |id| id.saturating_add(1))
+    decided(set, roll).edits.iter().map(|edit| edit.id).max().map_or(1, |id| id.saturating_add(1))
 }
 
-fn add(session: &mut Session, roll: RollRef, edit: RollEdit) {
+/// The same edit on the other side of a roll that lies across a symmetrical section; `None` if there is none.
+fn twin(set: &RollSet, roll: &Roll, edit: &RollEdit, unit: Unit) -> Option<RollEdit> {
+    let level = matches!(roll.roll.kind, RollKind::Top | RollKind::Bottom);
+    let symmetrical = level && set.section.origin == Origin::Symmetrical;
+    let twin = symmetrical.then(|| twin_edit(roll, &edit.scaled(unit.in_mm()), edit.id.saturating_add(1)))?;
+    Some(twin?.scaled(1.0 / unit.in_mm()))
+}
+
+fn add(session: &mut Session, roll: RollRef, edits: impl Iterator<Item = RollEdit>) {
     session.edit("edit of a roll", None, |document| {
         if let Some(set) = super::set_mut(document) {
-            set.roll_mut(roll).edits.push(edit);
+            begin_own(set, roll).edits.extend(edits);
         }
     });
 }

@@ -45,8 +45,8 @@ pub(in crate::rollform) fn check(set: &RollSet, station: &Station, design: &Stat
 }
 
 /// Everything that is to be said about stations that follow one another.
-pub(in crate::rollform) fn check_line(stations: &[StationDesign]) -> Vec<Diagnostic> {
-    drive_falls::check(stations)
+pub(in crate::rollform) fn check_line(set: &RollSet, stations: &[StationDesign]) -> Vec<Diagnostic> {
+    drive_falls::check(stations).into_iter().chain(drive_ratio::check_line(set, stations)).collect()
 }
 
 #[cfg(test)]
@@ -86,7 +86,12 @@ mod tests {
             codes(|s| s.stations[2].side_right.as_mut().unwrap().axis_distance = 40.0).first().unwrap(),
             "roll-thin"
         );
-        assert_eq!(codes(|s| s.line.gear_ratio = Some(1.0)), ["roll-drive-ratio"; 3]);
+        assert_eq!(codes(|s| s.line.gear_ratio = Some(1.1)), ["roll-drive-ratio"; 3]);
+        // A ratio of 1 beside which nothing is said is not taken at its word; with a speed it is.
+        assert_eq!(codes(|s| s.line.gear_ratio = Some(1.0)), ["roll-drive-ratio-assumed"]);
+        let driven = codes(|s| (s.line.gear_ratio, s.line.bottom_rpm) = (Some(1.0), Some(50.0)));
+        assert_eq!(driven, ["roll-drive-ratio"; 3]);
+        assert_eq!(codes(|s| s.stations[1].gear_ratio = Some(1.0)), ["roll-drive-ratio"]);
         assert_eq!(codes(|s| s.stations[1].gear_ratio = Some(1.33)), Vec::<String>::new());
         assert_eq!(codes(|s| s.stations[1].gear_ratio = Some(0.0)), ["gear-ratio"]);
         assert_eq!(codes(|s| s.stations[1].pass_height = 71.0), ["roll-drive-falls"]);

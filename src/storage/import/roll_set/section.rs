@@ -64,6 +64,7 @@ pub(super) fn set(section: CrossSection) -> RollSet {
         line: LINE_MM,
         stations: Vec::new(),
         form_tolerance: FORM_TOLERANCE_MM,
+        die_clearance: None,
         rates: Rates::default(),
         rolls: Vec::new(),
     }

@@ -1,0 +1,127 @@
+//! Nonsense typed into every field of a set of form-rolls: it is marked or told, nothing breaks, and undone all is as before.
+
+use crate::common::Window;
+use egui::accesskit::Role;
+use egui::{Event, Key, Modifiers};
+use egui_kittest::kittest::{NodeT, Queryable};
+use turnwright::app::{Action, Pane};
+use turnwright::document::{Content, Document};
+use turnwright::session::Session;
+
+/// What a person may type that makes no sense, and what is far too much or too little.
+const NONSENSE: [&str; 8] = ["ten", "", "NaN", "1e300", "-1", "0", "1/0", "99999999999999999999"];
+
+fn texts(window: &Window, role: Role) -> Vec<String> {
+    let labels = window.harness.query_all_by_role(role).filter_map(|n| n.accesskit_node().label());
+    let mut labels: Vec<String> = labels.collect();
+    labels.sort();
+    labels.dedup();
+    labels
+}
+
+fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
+    window.harness.key_press_modifiers(modifiers, key);
+    window.harness.run_steps(2);
+}
+
+/// The published set with its first station alone, soon designed again.
+fn small() -> Window {
+    let text = std::fs::read_to_string("assets/examples/1470b.turn").unwrap();
+    let mut document = turnwright::storage::document_from_text("1470b.turn", &text).unwrap();
+    let Content::RollSet(set) = &mut document.content else { panic!("a set") };
+    set.stations.truncate(1);
+    set.rolls.clear();
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("1470b.turn");
+    std::fs::write(&path, turnwright::storage::document_to_text(&document).unwrap()).unwrap();
+    Window::with_design_of(path.to_str().unwrap())
+}
+
+/// Types into what has the keyboard, and leaves it.
+fn type_over(window: &mut Window, text: &str) {
+    press(window, Modifiers::COMMAND, Key::A);
+    press(window, Modifiers::NONE, Key::Delete);
+    if !text.is_empty() {
+        window.harness.event(Event::Text(text.to_owned()));
+        window.harness.run_steps(2);
+    }
+    press(window, Modifiers::NONE, Key::Tab);
+}
+
+/// Waits for the design, and takes back what was changed.
+fn back_to(window: &mut Window, before: &Document) -> usize {
+    window.until("designed", |desk| desk.session().is_some_and(Session::is_designed));
+    let said = window.session().problems().len();
+    for _ in 0..4 {
+        if window.session().document().as_ref() == before {
+            break;
+        }
+        window.session().undo();
+    }
+    assert_eq!(window.session().document().as_ref(), before, "undone all is as before");
+    said
+}
+
+#[test]
+fn nonsense_in_any_field_is_survived_and_undone() {
+    let mut window = small();
+    let before = window.session().document().as_ref().clone();
+    let mut fields = 0;
+    for pane in [Pane::Elements, Pane::StationData, Pane::RollEditor, Pane::RollList] {
+        let ctx = window.harness.ctx.clone();
+        window.desk().act(&ctx, Action::ShowPane(pane));
+        window.harness.run_steps(4);
+        for (number, label) in texts(&window, Role::TextInput).into_iter().enumerate() {
+            // Every text in every field takes long; the fields get them in turn.
+            let text = NONSENSE[number % NONSENSE.len()];
+            let Some(node) = window.harness.query_all_by_role_and_label(Role::TextInput, &label).next() else {
+                continue;
+            };
+            node.click();
+            window.harness.run_steps(2);
+            type_over(&mut window, text);
+            press(&mut window, Modifiers::NONE, Key::Escape);
+            back_to(&mut window, &before);
+            fields += 1;
+        }
+    }
+    assert!(fields >= 20, "{fields}");
+}
+
+#[test]
+fn nonsense_in_the_tables_is_marked_or_told_at_its_place() {
+    let mut window = small();
+    let before = window.session().document().as_ref().clone();
+    for pane in [Pane::Elements, Pane::Angles] {
+        let ctx = window.harness.ctx.clone();
+        window.desk().act(&ctx, Action::ShowPane(pane));
+        window.harness.run_steps(4);
+    }
+    let cells: Vec<String> = texts(&window, Role::Cell);
+    let wanted = |name: &&String| {
+        ["length / r of Element 1:", "bend ° of Element 2:", "stn 1 of Bend 10:"].iter().any(|w| name.starts_with(w))
+    };
+    let cells: Vec<&String> = cells.iter().filter(wanted).collect();
+    assert_eq!(cells.len(), 3, "{cells:?}");
+    let mut told = 0;
+    for cell in cells {
+        for text in ["ten", "1e300", "-1e300", "0", "NaN"] {
+            window.click(cell);
+            window.harness.event(Event::Text(text.to_owned()));
+            window.harness.run_steps(2);
+            press(&mut window, Modifiers::NONE, Key::Enter);
+            told += usize::from(back_to(&mut window, &before) > 0);
+            // A text that is no figure stays, marked, until it is taken back.
+            if window.harness.query_by_label(cell).is_none() {
+                let start = format!("{}:", cell.rsplit_once(':').map_or(cell.as_str(), |(name, _)| name));
+                window.harness.get_by_label_contains(&start).click();
+                window.harness.run_steps(2);
+                press(&mut window, Modifiers::NONE, Key::F2);
+                press(&mut window, Modifiers::NONE, Key::Escape);
+                window.harness.run_steps(3);
+            }
+            assert!(window.harness.query_by_label(cell).is_some(), "{cell} after {text}");
+        }
+    }
+    assert!(told >= 5, "{told}");
+}
