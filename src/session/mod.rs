@@ -1,22 +1,27 @@
 //! One open document: its undo history, what follows from it, what is selected, and whether it is saved.
 
+mod edits;
 mod history;
 mod light;
 mod parts;
 mod problems;
+mod saved;
 mod shells;
 
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::document::{Document, RollRef};
 use crate::machine::Dialect;
-use crate::proof::{FindingKind, ProgramText, ProofReport};
+use crate::proof::{ProgramText, ProofReport};
 use crate::regen::{Derived, Operations, SetupDerived};
 use crate::worker::{Order, Outcome, Regenerate, Worker};
+use edits::Typing;
 pub use history::{GestureId, History};
 use light::Light;
 pub use light::{Hovered, Lit};
 use problems::Problems;
-use std::path::{Path, PathBuf};
+pub use problems::code_of;
+pub use saved::SaveState;
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -39,17 +44,6 @@ pub struct Selection {
     pub element: Option<u32>,
     /// Station of a roll-forming line, by id.
     pub station: Option<u32>,
-}
-
-/// Where the document stands against its file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum SaveState {
-    /// Never saved.
-    New,
-    /// The file holds this very document.
-    Saved,
-    /// Edited since.
-    Edited,
 }
 
 /// What the proofs of all clampings say together.
@@ -82,13 +76,6 @@ pub enum Origin {
     Fresh,
     /// Unsaved work of a run that crashed, with the document's own file if it had one.
     Recovered(Option<PathBuf>),
-}
-
-/// A value that is being typed.
-#[derive(Debug, Clone)]
-struct Typing {
-    gesture: GestureId,
-    before: Arc<Document>,
 }
 
 /// One open document.
@@ -163,95 +150,6 @@ impl Session {
     #[must_use]
     pub const fn document(&self) -> &Arc<Document> {
         &self.document
-    }
-
-    /// A gesture that no edit has used yet.
-    pub fn new_gesture(&mut self) -> GestureId {
-        self.gestures += 1;
-        GestureId(self.gestures)
-    }
-
-    /// Changes the document. An edit that changes nothing leaves no trace; edits of one gesture are one step of undo.
-    pub fn edit(&mut self, label: &str, gesture: Option<GestureId>, change: impl FnOnce(&mut Document)) {
-        self.typing = None;
-        self.put_in(label, gesture, change);
-    }
-
-    fn put_in(&mut self, label: &str, gesture: Option<GestureId>, change: impl FnOnce(&mut Document)) {
-        let mut edited = (*self.document).clone();
-        change(&mut edited);
-        if edited == *self.document {
-            return;
-        }
-        let before = std::mem::replace(&mut self.document, Arc::new(edited));
-        self.history.push(label, gesture, before);
-        self.changed();
-    }
-
-    /// Begins to type a value: what is typed from here on is one step of undo.
-    pub fn begin_typing(&mut self) {
-        self.typing = Some(Typing { gesture: self.new_gesture(), before: Arc::clone(&self.document) });
-    }
-
-    /// Puts what has been typed so far into the document as it was before the typing, so that nothing is left of a shorter
-    /// text.
-    pub fn type_in(&mut self, label: &str, change: impl FnOnce(&mut Document)) {
-        if self.typing.is_none() {
-            self.begin_typing();
-        }
-        let Some(Typing { gesture, before }) = self.typing.clone() else { return };
-        let mut typed = (*before).clone();
-        change(&mut typed);
-        if typed == *before {
-            self.take_back_typing();
-        } else {
-            self.put_in(label, Some(gesture), |document| *document = typed);
-        }
-    }
-
-    /// Puts the value before the typing back, as when the text is none; the typing goes on.
-    pub fn take_back_typing(&mut self) {
-        if let Some(Typing { gesture, .. }) = self.typing
-            && let Some(before) = self.history.abandon(gesture)
-        {
-            self.document = before;
-            self.changed();
-        }
-    }
-
-    /// Ends the typing; what was typed stays.
-    pub fn end_typing(&mut self) {
-        self.typing = None;
-    }
-
-    /// Ends the typing and puts the value before it back.
-    pub fn give_up_typing(&mut self) {
-        self.take_back_typing();
-        self.end_typing();
-    }
-
-    /// Takes back the last step.
-    pub fn undo(&mut self) {
-        self.typing = None;
-        if let Some(before) = self.history.undo(Arc::clone(&self.document)) {
-            self.document = before;
-            self.changed();
-        }
-    }
-
-    /// Does again what was undone last.
-    pub fn redo(&mut self) {
-        self.typing = None;
-        if let Some(after) = self.history.redo(Arc::clone(&self.document)) {
-            self.document = after;
-            self.changed();
-        }
-    }
-
-    /// The steps that can be undone and done again.
-    #[must_use]
-    pub const fn history(&self) -> &History {
-        &self.history
     }
 
     fn changed(&mut self) {
@@ -442,70 +340,5 @@ impl Session {
             return Verdict::Failed { errors: 1 };
         }
         Verdict::Proved { time_s: proofs().map(|p| p.times.total_s).sum(), blocks }
-    }
-
-    /// The document's file.
-    #[must_use]
-    pub fn path(&self) -> Option<&Path> {
-        self.path.as_deref()
-    }
-
-    /// Notes that `document` is now in the file `path`.
-    pub fn set_saved(&mut self, path: PathBuf, document: Arc<Document>) {
-        self.path = Some(path);
-        self.saved = Some(document);
-    }
-
-    /// Where the document stands against its file.
-    #[must_use]
-    pub fn save_state(&self) -> SaveState {
-        match &self.saved {
-            Some(saved) if Arc::ptr_eq(saved, &self.document) || **saved == *self.document => SaveState::Saved,
-            Some(_) => SaveState::Edited,
-            None => SaveState::New,
-        }
-    }
-
-    /// True if closing would lose work: edited since it was opened or saved.
-    #[must_use]
-    pub fn has_unsaved_work(&self) -> bool {
-        match self.save_state() {
-            SaveState::Saved => false,
-            SaveState::Edited => true,
-            SaveState::New => self.recovered || self.history.undo_label().is_some(),
-        }
-    }
-
-    /// Time since the oldest edit that no recovery file holds yet.
-    #[must_use]
-    pub fn unrecovered_for(&self) -> Option<Duration> {
-        self.edited_at.map(|at| at.elapsed())
-    }
-
-    /// Notes that a recovery file holds the document as it is now.
-    pub const fn set_recovered(&mut self) {
-        self.edited_at = None;
-    }
-}
-
-/// Stable short name of a kind of finding.
-#[must_use]
-pub const fn code_of(kind: FindingKind) -> &'static str {
-    match kind {
-        FindingKind::Unreadable => "unreadable",
-        FindingKind::Gouge => "gouge",
-        FindingKind::RapidContact => "rapid-contact",
-        FindingKind::FlankCollision => "flank-collision",
-        FindingKind::HolderCollision => "holder-collision",
-        FindingKind::ChuckCollision => "chuck-collision",
-        FindingKind::Leftover => "leftover",
-        FindingKind::OverTravel => "over-travel",
-        FindingKind::OutsideLimits => "outside-limits",
-        FindingKind::NotClosed => "not-closed",
-        FindingKind::Control => "control",
-        FindingKind::Structure => "structure",
-        FindingKind::Lint => "lint",
-        FindingKind::Power => "power",
-        FindingKind::TailstockCollision => "tailstock-collision",
     }
 }

@@ -1,8 +1,7 @@
 //! All that is to be said about a document and its programs, findable by row.
 
-use super::code_of;
 use crate::diagnostic::{Diagnostic, Place, Severity};
-use crate::proof::Finding;
+use crate::proof::{Finding, FindingKind};
 use crate::regen::Derived;
 use std::collections::HashMap;
 
@@ -56,4 +55,26 @@ fn of_fault(message: &str) -> Diagnostic {
 fn of_finding(finding: &Finding) -> Diagnostic {
     let at = Place::Block { program: finding.program.clone(), block: finding.block };
     Diagnostic::new(finding.severity, code_of(finding.kind), at, finding.message.clone())
+}
+
+/// Stable short name of a kind of finding.
+#[must_use]
+pub const fn code_of(kind: FindingKind) -> &'static str {
+    match kind {
+        FindingKind::Unreadable => "unreadable",
+        FindingKind::Gouge => "gouge",
+        FindingKind::RapidContact => "rapid-contact",
+        FindingKind::FlankCollision => "flank-collision",
+        FindingKind::HolderCollision => "holder-collision",
+        FindingKind::ChuckCollision => "chuck-collision",
+        FindingKind::Leftover => "leftover",
+        FindingKind::OverTravel => "over-travel",
+        FindingKind::OutsideLimits => "outside-limits",
+        FindingKind::NotClosed => "not-closed",
+        FindingKind::Control => "control",
+        FindingKind::Structure => "structure",
+        FindingKind::Lint => "lint",
+        FindingKind::Power => "power",
+        FindingKind::TailstockCollision => "tailstock-collision",
+    }
 }
