@@ -1,17 +1,30 @@
 //! Small charts with the window's looks.
 
 use crate::app::plots::Palette;
-use egui::{Color32, Ui};
+use crate::app::theme::{self, Colors};
+use egui::{Color32, Sense, Stroke, Ui, vec2};
 use egui_plot::{
     AxisHints, GridInput, GridMark, HLine, HoverPosition, Line, LineStyle, Plot, PlotPoints, PlotUi, Points,
 };
 use std::ops::RangeInclusive;
 
-/// A chart with names of its axes.
+/// A chart with names of its axes, from zero upwards.
 pub(super) fn chart(
     ui: &mut Ui,
     name: &str,
+    axes: (&'static str, &'static str),
+    size: egui::Vec2,
+    content: impl FnOnce(&mut PlotUi<'_>),
+) {
+    chart_from(ui, name, axes, 0.0, size, content);
+}
+
+/// A chart in which `lowest` is shown at least.
+pub(super) fn chart_from(
+    ui: &mut Ui,
+    name: &str,
     (x, y): (&'static str, &'static str),
+    lowest: f64,
     size: egui::Vec2,
     content: impl FnOnce(&mut PlotUi<'_>),
 ) {
@@ -23,7 +36,7 @@ pub(super) fn chart(
         .custom_y_axes(vec![AxisHints::new_y().label(y).formatter(figure)])
         .x_grid_spacer(|input| round_steps(&input))
         .y_grid_spacer(|input| round_steps(&input))
-        .include_y(0.0)
+        .include_y(lowest)
         .allow_scroll(false)
         .show_background(false)
         .label_formatter(|at| {
@@ -62,6 +75,17 @@ fn round_steps(input: &GridInput) -> Vec<GridMark> {
     let first = (from / step).ceil();
     let marks = (0..MOST).map(|k| (first + f64::from(k)) * step).take_while(|value| *value <= to);
     marks.map(|value| GridMark { value, step_size: step }).collect()
+}
+
+/// Names of lines in their colours, above their chart.
+pub(super) fn names(ui: &mut Ui, lines: &[(&str, Color32)]) {
+    ui.horizontal(|ui| {
+        for (name, color) in lines {
+            let (rect, _) = ui.allocate_exact_size(vec2(14.0, 14.0), Sense::hover());
+            ui.painter().hline(rect.x_range(), rect.center().y, Stroke::new(2.0, *color));
+            ui.label(theme::quiet(*name, Colors::of(ui.visuals())));
+        }
+    });
 }
 
 /// A line by points, thinned to what a chart can show.

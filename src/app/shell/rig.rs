@@ -1,7 +1,7 @@
 //! The rig, live: wanted contour, commanded steps, actual path and its error.
 
 use super::ShellViews;
-use super::chart::{chart, limit, line};
+use super::chart::{chart, limit, line, names};
 use super::live::{Live, Made, Pace, Setting};
 use crate::app::plots::Palette;
 use crate::app::theme::{self, Colors};
@@ -48,6 +48,15 @@ pub(super) fn show(ui: &mut Ui, titled: bool, views: &mut ShellViews) -> bool {
     };
     views.charts.follow(made);
     let palette = Palette::of(ui.visuals());
+    names(
+        ui,
+        &[
+            ("wanted", palette.construction),
+            ("commanded", palette.unreachable),
+            ("actual path, and its error", palette.accent),
+            ("limit of the error", palette.wrong),
+        ],
+    );
     let size = vec2((ui.available_width() - 10.0) / 2.0, ui.available_height());
     let watch = made.run.plan().watch;
     ui.horizontal(|ui| {

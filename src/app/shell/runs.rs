@@ -1,7 +1,7 @@
 //! The log of runs, their comparison, and the published measurements beside them.
 
 use super::ShellViews;
-use super::chart::{chart, line, points};
+use super::chart::{chart, chart_from, line, points};
 use super::live::Made;
 use crate::app::plots::Palette;
 use crate::app::theme::{self, Colors};
@@ -101,7 +101,7 @@ fn measurements(ui: &mut Ui, runs: &[Made], size: egui::Vec2) {
     let of = |value: fn(&Measurement) -> Option<f64>| {
         published().iter().filter_map(|m| Some([m.set_deg, value(m)?])).collect::<Vec<_>>()
     };
-    chart(ui, "angles", ("set angle, °", "measured angle, °"), half, |plot| {
+    chart_from(ui, "angles", ("set angle, °", "measured angle, °"), 28.0, half, |plot| {
         line(plot, "as set", vec![[29.0, 29.0], [46.0, 46.0]], palette.construction, 1.0);
         points(plot, "published", of(|m| Some(m.measured_deg)), palette.unreachable, 2.0);
         points(plot, "own runs", own, palette.accent, 4.0);

@@ -78,8 +78,8 @@ impl fmt::Display for StopReason {
             ),
             Self::Creep { by_mm, limit_mm } => write!(
                 f,
-                "The transducer's reading drifts with the valve shut, by {by_mm:.2} mm in all; the limit is {limit_mm:.2} mm. \
-                 Check its supply."
+                "The roller's reading moves with the valve shut, by {by_mm:.2} mm in all; the limit is {limit_mm:.2} mm. \
+                 Check whether the valve shuts, and the transducer's supply."
             ),
             Self::Late { what, waited_s, limit_s } => {
                 write!(f, "{what} took {waited_s:.1} s; the limit is {limit_s:.1} s.")
