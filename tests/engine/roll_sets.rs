@@ -23,7 +23,17 @@ fn every_roll_of_every_example_is_proved() {
         assert!(set.rolls.len() >= 2 * stations, "{}: {} rolls", example.name, set.rolls.len());
         assert!(!has_errors(&derived.diagnostics), "{}: {:?}", example.name, derived.diagnostics);
         let minutes: f64 = set.rolls.iter().flat_map(|r| &r.derived.setups).map(|s| s.proof.times.total_s / 60.0).sum();
-        println!("{}: {stations} stations, {} rolls, {minutes:.0} min", example.name, set.rolls.len());
+        let blanks_kg: f64 = roll_lines(&derived).iter().filter_map(|line| line.blank_kg).sum();
+        // What a shop may reckon with; the documents name no prices.
+        let (per_hour, per_kg) = (60.0, 2.0);
+        println!(
+            "{}: {stations} stations, {} rolls, {} proved, {minutes:.1} min, blanks {blanks_kg:.1} kg, cost {:.0} at {per_hour} an \
+             hour and {per_kg} a kg",
+            example.name,
+            set.rolls.len(),
+            set.rolls.iter().filter(|roll| roll.is_proved()).count(),
+            minutes / 60.0 * per_hour + blanks_kg * per_kg
+        );
         for roll in &set.rolls {
             assert!(roll.is_proved(), "{}", roll.name);
         }
