@@ -35,7 +35,8 @@ fn every_roll_of_every_example_is_proved() {
             minutes / 60.0 * per_hour + blanks_kg * per_kg
         );
         for roll in &set.rolls {
-            assert!(roll.is_proved(), "{}", roll.name);
+            let wrong = roll.derived.setups.iter().find_map(|s| s.proof.errors().next());
+            assert!(roll.is_proved(), "{}: {wrong:?}", roll.name);
         }
     }
 }
