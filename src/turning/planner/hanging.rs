@@ -74,11 +74,20 @@ impl Hanging {
 
     /// True if it is met more than `by` mm deep by what lies between two functions.
     pub(super) fn meets(&self, low: &Chain, high: &Chain, by: f64) -> bool {
-        let (Some(first), Some(last)) = (low.pieces.first(), low.pieces.last()) else { return false };
-        self.over(first.z0, last.z1).any(|band| {
-            let (z0, z1) = (band.z0.max(first.z0), band.z1.min(last.z1));
-            let top = band.high.min(high).clipped(z0, z1);
-            !top.runs_over(&band.low.max(low).clipped(z0, z1), by).is_empty()
+        self.within(low, high).any(|(bottom, top)| !top.runs_over(&bottom, by).is_empty())
+    }
+
+    /// Area of what lies between two functions, mm².
+    pub(super) fn area_within(&self, low: &Chain, high: &Chain) -> f64 {
+        self.within(low, high).map(|(bottom, top)| top.area_over(&bottom)).sum()
+    }
+
+    /// Lower and upper side of every part of it where two functions leave something between them and it.
+    fn within<'a>(&'a self, low: &'a Chain, high: &'a Chain) -> impl Iterator<Item = (Chain, Chain)> + 'a {
+        let (from, to) = (low.pieces.first().map_or(0.0, |p| p.z0), low.pieces.last().map_or(0.0, |p| p.z1));
+        self.over(from, to).map(move |band| {
+            let (z0, z1) = (band.z0.max(from), band.z1.min(to));
+            (band.low.max(low).clipped(z0, z1), band.high.min(high).clipped(z0, z1))
         })
     }
 
@@ -147,6 +156,7 @@ mod tests {
         assert!(!meets(&hanging, 6.5, 9.4) && meets(&hanging, 9.4, 9.6) && hanging.is_over(4.0, 4.5));
         let beside = (Chain::level(4.2, 4.8, 7.5), Chain::level(4.2, 4.8, 7.6));
         assert!(hanging.meets(&beside.0, &beside.1, 1e-5), "beside the cut it stays");
+        assert!((hanging.area_within(&beside.0, &beside.1) - 0.6 * 0.1).abs() < 1e-9);
         assert_eq!(hanging.mirrored().mirrored(), hanging);
         assert!(!hanging.clipped_at(2.5).is_over(2.6, 9.0) && hanging.is_over(2.6, 9.0));
     }

@@ -209,17 +209,26 @@ impl<'a> Path<'a> {
         let (z0, z1) = self.window(bounds.min.z, bounds.max.z);
         let mut stock = higher(&self.work.stock, z0, z1, bounds.min.r + self.cutter.low);
         let Segment::Arc { center, ccw, .. } = *segment else {
-            return stock.area_over(low) / segment.length().max(NO_MOVE_MM);
+            return self.taken(&stock, segment, low) / segment.length().max(NO_MOVE_MM);
         };
         let at = |k: u32| segment.point_at(f64::from(k) / f64::from(CHIP_PARTS));
         let mut width = |k: u32| {
             let part = Segment::Arc { start: at(k), end: at(k + 1), center, ccw };
             let low = left_along(&self.cutter.edge, &part);
-            let area = stock.area_over(&low);
+            let area = self.taken(&stock, &part, &low);
             stock.cut(&low);
             area / part.length().max(NO_MOVE_MM)
         };
         (0..CHIP_PARTS).map(&mut width).fold(0.0, f64::max)
+    }
+
+    /// Area that the insert takes of `stock` and of what hangs over it along a segment, mm²; `low` is what is [`Path::swept`].
+    fn taken(&self, stock: &Chain, segment: &Segment, low: &Chain) -> f64 {
+        let (Some(first), Some(last)) = (low.pieces.first(), low.pieces.last()) else { return 0.0 };
+        let hanging = &self.work.hanging;
+        let is_over = hanging.is_over(first.z0, last.z1);
+        let over = is_over.then(|| hanging.area_within(low, &covered_along(&self.cutter.top, segment)));
+        stock.area_over(low) + over.unwrap_or(0.0)
     }
 
     /// True if there may be stock on the way along a segment.
