@@ -94,17 +94,12 @@ fn station_and_line_are_seen_in_the_round() {
     window.screenshot("rolls-3d-line");
 }
 
-/// The published set with its first station alone: two rolls, soon made.
+/// Two rolls, made.
 fn small() -> Window {
-    let text = std::fs::read_to_string("assets/examples/1470b.turn").unwrap();
-    let mut document = turnwright::storage::document_from_text("1470b.turn", &text).unwrap();
-    let Content::RollSet(set) = &mut document.content else { panic!("a set") };
-    set.stations.truncate(1);
-    set.rolls.clear();
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("1470b.turn");
-    std::fs::write(&path, turnwright::storage::document_to_text(&document).unwrap()).unwrap();
-    Window::with_file(path.to_str().unwrap())
+    let mut window = Window::with_one_station();
+    window.until_current();
+    window.harness.run_steps(3);
+    window
 }
 
 #[test]

@@ -3,19 +3,7 @@
 use crate::common::Window;
 use egui::Theme;
 use egui_kittest::kittest::Queryable;
-use std::path::Path;
 use turnwright::app::{Action, Pane};
-use turnwright::session::Session;
-
-fn open(name: &str) -> Window {
-    let mut window = Window::with_theme(Theme::Dark);
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
-    let ctx = window.harness.ctx.clone();
-    window.desk().act(&ctx, Action::Open(path));
-    window.until("opened", |desk| desk.session().is_some());
-    window.until("designed", |desk| desk.session().is_some_and(Session::is_designed));
-    window
-}
 
 fn show(window: &mut Window, pane: Pane) {
     let ctx = window.harness.ctx.clone();
@@ -25,7 +13,7 @@ fn show(window: &mut Window, pane: Pane) {
 
 #[test]
 fn every_panel_of_a_set_is_drawn_in_the_dark() {
-    let mut window = open("assets/examples/u-channel.turn");
+    let mut window = Window::with_theme(Theme::Dark).designed("assets/examples/u-channel.turn");
     let station = window.session().document().content.roll_set().unwrap().stations[6].id;
     window.session().selection.station = Some(station);
     window.harness.run_steps(3);

@@ -5,7 +5,7 @@ use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 use turnwright::app::{Action, Pane};
-use turnwright::document::{Content, Document};
+use turnwright::document::Document;
 use turnwright::session::Session;
 
 /// What a person may type that makes no sense, and what is far too much or too little.
@@ -22,19 +22,6 @@ fn texts(window: &Window, role: Role) -> Vec<String> {
 fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
     window.harness.key_press_modifiers(modifiers, key);
     window.harness.run_steps(2);
-}
-
-/// The published set with its first station alone, soon designed again.
-fn small() -> Window {
-    let text = std::fs::read_to_string("assets/examples/1470b.turn").unwrap();
-    let mut document = turnwright::storage::document_from_text("1470b.turn", &text).unwrap();
-    let Content::RollSet(set) = &mut document.content else { panic!("a set") };
-    set.stations.truncate(1);
-    set.rolls.clear();
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("1470b.turn");
-    std::fs::write(&path, turnwright::storage::document_to_text(&document).unwrap()).unwrap();
-    Window::with_design_of(path.to_str().unwrap())
 }
 
 /// Types into what has the keyboard, and leaves it.
@@ -64,7 +51,7 @@ fn back_to(window: &mut Window, before: &Document) -> usize {
 
 #[test]
 fn nonsense_in_any_field_is_survived_and_undone() {
-    let mut window = small();
+    let mut window = Window::with_one_station();
     let before = window.session().document().as_ref().clone();
     let mut fields = 0;
     for pane in [Pane::Elements, Pane::StationData, Pane::RollEditor, Pane::RollList] {
@@ -90,7 +77,7 @@ fn nonsense_in_any_field_is_survived_and_undone() {
 
 #[test]
 fn nonsense_in_the_tables_is_marked_or_told_at_its_place() {
-    let mut window = small();
+    let mut window = Window::with_one_station();
     let before = window.session().document().as_ref().clone();
     for pane in [Pane::Elements, Pane::Angles] {
         let ctx = window.harness.ctx.clone();

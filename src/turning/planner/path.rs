@@ -91,29 +91,22 @@ impl<'a> Path<'a> {
 
     /// Cutting, straight to `to`.
     pub(super) fn line(&mut self, to: Point) {
-        if self.at.distance(to) < NO_MOVE_MM {
-            return;
-        }
         let segment = Segment::line(self.at, to);
         let low = self.swept(&segment);
         let cut = self.conditions.cut(self.at.r, to.r, self.chip_width(&segment, low.as_ref()));
-        self.push_line(to, cut);
-        self.take(&segment, low);
-        self.at = to;
+        self.cut_line(to, cut, low);
     }
 
     /// Cutting, straight to `to`, with a feed and speed of its own.
     pub(super) fn line_at(&mut self, to: Point, cut: Cut) {
-        if self.at.distance(to) >= NO_MOVE_MM {
-            let segment = Segment::line(self.at, to);
-            self.push_line(to, cut);
-            self.take(&segment, self.swept(&segment));
-            self.at = to;
-        }
+        self.cut_line(to, cut, self.swept(&Segment::line(self.at, to)));
     }
 
-    /// Goes on with a line that the last move makes, or makes a new one.
-    fn push_line(&mut self, to: Point, cut: Cut) {
+    /// Lengthens the line that the last move makes, or makes a new one; `low` is what is [`Path::swept`].
+    fn cut_line(&mut self, to: Point, cut: Cut, low: Option<Chain>) {
+        if self.at.distance(to) < NO_MOVE_MM {
+            return;
+        }
         let end = self.seen(to);
         match (self.moves.last_mut(), self.last.as_mut()) {
             (Some(CutMove::Line { to: before, cut: same }), Some(Segment::Line { start, end: last }))
@@ -126,6 +119,8 @@ impl<'a> Path<'a> {
                 self.last = Some(Segment::line(self.at, to));
             }
         }
+        self.take(&Segment::line(self.at, to), low);
+        self.at = to;
     }
 
     /// Cutting, along a segment that begins where the tool is.

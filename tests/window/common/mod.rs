@@ -13,7 +13,9 @@ use std::path::Path;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 use turnwright::app::{Action, Desk, Surroundings};
+use turnwright::document::Content;
 use turnwright::session::Session;
+use turnwright::storage;
 
 /// The window under test and what is needed to draw it.
 pub struct Window {
@@ -104,13 +106,31 @@ impl Window {
 
     /// A window with a file of the project, of which a set of form-rolls is designed, though its rolls may be in the making.
     pub fn with_design_of(name: &str) -> Self {
-        let mut window = Self::open();
+        Self::open().designed(name)
+    }
+
+    /// The window with the published set's first station alone, designed: two rolls, soon made.
+    pub fn with_one_station() -> Self {
+        let text = std::fs::read_to_string("assets/examples/1470b.turn").expect("the example is there");
+        let mut document = storage::document_from_text("1470b.turn", &text).expect("it can be read");
+        if let Content::RollSet(set) = &mut document.content {
+            set.stations.truncate(1);
+            set.rolls.clear();
+        }
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("1470b.turn");
+        std::fs::write(&path, storage::document_to_text(&document).expect("it can be written")).expect("there is room");
+        Self::with_design_of(path.to_str().expect("plain letters"))
+    }
+
+    /// The same window when a set of form-rolls is opened and designed.
+    pub fn designed(mut self, name: &str) -> Self {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
-        let ctx = window.harness.ctx.clone();
-        window.desk().act(&ctx, Action::Open(path));
-        window.until("opened", |desk| desk.session().is_some());
-        window.until("designed", |desk| desk.session().is_some_and(Session::is_designed));
-        window
+        let ctx = self.harness.ctx.clone();
+        self.desk().act(&ctx, Action::Open(path));
+        self.until("opened", |desk| desk.session().is_some());
+        self.until("designed", |desk| desk.session().is_some_and(Session::is_designed));
+        self
     }
 
     /// Writes the window as it is now to the folder `WINDOW_PICTURES` names, if there is one.

@@ -19,6 +19,7 @@ use form::Draft;
 
 /// Width of the column with form and list, points.
 const COLUMN: f32 = 258.0;
+
 /// What the panel keeps.
 #[derive(Debug)]
 pub(super) struct EditorView {
