@@ -58,7 +58,7 @@ pub enum ElementName {
     },
     /// A straight line in place of what the roll cannot reach, named by the element at which it begins.
     Unreached {
-        /// Id of the element of the section.
+        /// Id of the element of the section; 0 for the edge of the strip.
         element: u32,
         /// Side of the origin.
         side: Side,

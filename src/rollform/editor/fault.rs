@@ -52,6 +52,7 @@ pub fn described(name: ElementName) -> String {
         ElementName::Strip { element, side, .. } => format!("the straight part of element {element} {}", side.name()),
         ElementName::Edge { side } => format!("the {} edge of the strip", side.name()),
         ElementName::Extension { side, part } => format!("part {part} of the {} extension", side.name()),
+        ElementName::Unreached { element: 0, side } => format!("the overhang of the {} edge of the strip", side.name()),
         ElementName::Unreached { element, side } => format!("the overhang of element {element} {}", side.name()),
         ElementName::Flank { side } => format!("the {} side face", side.name()),
         ElementName::Edit { edit } => format!("edit {edit}"),

@@ -105,3 +105,41 @@ fn number(name: &str, value: f64) -> Result<f64, Reason> {
 fn positive(name: &str, value: f64) -> Result<f64, Reason> {
     if value.is_finite() && value > 0.0 { Ok(value) } else { Err(fault::figure(name, value)) }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn center(before: Segment, after: Segment, radius: f64, sides: [TangentSide; 2], near: Point) -> Point {
+        let between = Between { before, after, near };
+        match tangent(radius, sides[0], sides[1], &between) {
+            Ok(Carrier::Circle(center, found)) if found == radius => center,
+            other => panic!("{:?}", other.err()),
+        }
+    }
+
+    #[test]
+    fn a_tangent_circle_lies_on_the_chosen_side_of_both_neighbours() {
+        use TangentSide::{Above, Below, Inside, Outside};
+        let p = Point::new;
+        let corner = p(20.0, 30.0);
+        let (face, wall) = (Segment::line(p(0.0, 30.0), corner), Segment::line(corner, p(20.0, 50.0)));
+        for (sides, wanted) in [
+            ([Above, Above], p(15.0, 35.0)),
+            ([Above, Below], p(25.0, 35.0)),
+            ([Below, Above], p(15.0, 25.0)),
+            ([Below, Below], p(25.0, 25.0)),
+        ] {
+            assert!(center(face, wall, 5.0, sides, corner).distance(wanted) < 1e-9, "{sides:?}");
+        }
+        // A circle of 10 mm about the origin and the line through it: 4 mm above the line, 6 or 14 mm from the origin.
+        let arc = Segment::Arc { start: p(-10.0, 0.0), end: p(10.0, 0.0), center: p(0.0, 0.0), ccw: false };
+        let line = Segment::line(p(10.0, 0.0), p(30.0, 0.0));
+        for (side, z) in [(Inside, 20.0_f64.sqrt()), (Outside, 180.0_f64.sqrt())] {
+            assert!(center(arc, line, 4.0, [side, Above], p(10.0, 0.0)).distance(p(z, 4.0)) < 1e-9, "{side:?}");
+            assert!(center(arc, line, 4.0, [side, Above], p(-10.0, 0.0)).distance(p(-z, 4.0)) < 1e-9, "{side:?}");
+        }
+        let between = Between { before: arc, after: line, near: corner };
+        assert!(tangent(4.0, Above, Above, &between).is_err(), "an arc has an inside and an outside");
+    }
+}

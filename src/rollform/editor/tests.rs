@@ -100,6 +100,23 @@ fn an_element_is_inserted_between_its_meetings() {
 }
 
 #[test]
+fn a_circle_is_given_by_its_radius_or_by_a_point_of_it() {
+    let center = at(20.0, 60.0);
+    let insert = |shape| {
+        let done = run(EditAction::Insert { after: strip(1), shape });
+        assert_eq!(done.faults, []);
+        done.elements.into_iter().map(|e| e.segment).collect::<Vec<_>>()
+    };
+    let by_point = insert(NewElement::CirclePoint { center, point: at(25.0, 60.0) });
+    assert_eq!(by_point, insert(NewElement::CircleRadius { center, radius: 5.0 }));
+    assert_eq!(by_point.len(), 6);
+    assert_eq!(
+        code(EditAction::Insert { after: strip(1), shape: NewElement::CirclePoint { center, point: center } }),
+        "edit-figure"
+    );
+}
+
+#[test]
 fn an_element_is_replaced_and_deleted() {
     let shape = NewElement::LineParallel { point: at(25.0, 60.0), to: strip(2) };
     let done = run(EditAction::Replace { element: strip(2), shape });

@@ -58,6 +58,8 @@ mod wing;
 #[cfg(test)]
 mod published;
 #[cfg(test)]
+mod station_tests;
+#[cfg(test)]
 mod tests;
 
 use super::bends::Stage;

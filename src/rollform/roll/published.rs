@@ -99,3 +99,29 @@ fn stage_2_is_the_published_one_element_by_element() {
     assert_eq!(compare(RollKind::Top, TOP).len(), 2 * 38 + 14);
     assert_eq!(compare(RollKind::Bottom, BOTTOM).len(), 2 * 36 + 12);
 }
+
+/// The design changes, the edits stay: they are carried out again where their corners are now.
+#[test]
+fn the_edits_are_replayed_when_the_flower_changes() {
+    let made = |angle_deg: f64| {
+        let mut set = published_rolls();
+        set.stations[1].bends.iter_mut().filter(|b| b.element == 20).for_each(|b| b.angle_deg = angle_deg);
+        let station = station_rolls(&set, 1).unwrap();
+        let designed = station.rolls.into_iter().find(|r| r.kind == RollKind::Top).unwrap();
+        let done = edited(&designed.elements, &edits(RollKind::Top));
+        assert_eq!(done.faults, [], "at {angle_deg} degrees");
+        let by_edit = |e: &&RollElement| e.names.iter().any(|n| matches!(n, ElementName::Edit { .. }));
+        done.elements.iter().filter(by_edit).map(|e| e.segment).collect::<Vec<_>>()
+    };
+    let (before, after) = (made(-50.0), made(-35.0));
+    assert_eq!((before.len(), after.len()), (6, 6));
+    for (a, b) in before.iter().zip(&after) {
+        let same_radius = match (a.radius(), b.radius()) {
+            (Some(a), Some(b)) => (a - b).abs() < 1e-9,
+            (a, b) => a.is_none() && b.is_none(),
+        };
+        assert!(same_radius, "{a:?} {b:?}");
+    }
+    // The strip ends elsewhere, and what was rounded there with it.
+    assert!(before[3].start().distance(after[3].start()) > 0.1, "{:?} {:?}", before[3], after[3]);
+}

@@ -46,6 +46,7 @@ pub(super) fn upright_name(element: &RollElement) -> ElementName {
         Some(&ElementName::Strip { element, side, .. } | &ElementName::Unreached { element, side }) => {
             ElementName::Unreached { element, side }
         }
+        Some(&ElementName::Edge { side }) => ElementName::Unreached { element: 0, side },
         Some(&name) => name,
         None => ElementName::Unreached { element: 0, side: crate::document::Side::Right },
     }

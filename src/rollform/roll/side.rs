@@ -1,6 +1,6 @@
 //! Rolls on upright axes beside the strip.
 
-use super::face::{Face, StripFace};
+use super::face::{Face, NOTHING_MM, StripFace};
 use super::frame::{Frame, mapped};
 use super::merge::{Travel, merged};
 use super::pair::{names, with_flanks};
@@ -104,6 +104,7 @@ pub(super) fn roll(taken: &Taken, roll: &SideRoll, side: Side) -> Option<Designe
         taken.elements.iter().map(|e| e.mapped(|s| mapped(s, |p| Point::new(p.r, p.z), true))).collect();
     let (low, high) = (taken.lower_end().r, taken.upper_end().r);
     let mut elements = reach::upper(&swapped, low, high);
+    add_level_edge(&mut elements, &swapped);
     let (first, last) = (elements.first()?.segment, elements.last()?.segment);
     let below = extension(roll.extensions.first(), mirrored_up(&first), Side::Left);
     let below: Vec<RollElement> = below.iter().rev().map(|e| e.mapped(|s| mirrored_up(s).reversed())).collect();
@@ -118,6 +119,20 @@ pub(super) fn roll(taken: &Taken, roll: &SideRoll, side: Side) -> Option<Designe
     let seen = Frame { kind: RollKind::Right, axis: roll.axis_distance, ..frame };
     let in_roll = elements.iter().map(|e| e.mapped(|s| mapped(s, |p| seen.point_to_roll(Point::new(p.r, p.z)), true)));
     Some(DesignedRoll { kind, elements: with_flanks(merged(in_roll.collect(), Travel::Forwards)), frame })
+}
+
+/// The edge of an upright strip lies square to the roll's axis, where an envelope only ends: it is added at its end.
+fn add_level_edge(elements: &mut Vec<RollElement>, all: &[RollElement]) {
+    let is_edge = |e: &&RollElement| e.names.iter().any(|name| matches!(name, ElementName::Edge { .. }));
+    let Some(edge) = all.last().filter(is_edge) else { return };
+    let (from, to) = (edge.segment.start(), edge.segment.end());
+    let is_level = (from.z - to.z).abs() < NOTHING_MM && from.distance(to) > NOTHING_MM;
+    let meets = |p: Option<Point>| is_level && p.is_some_and(|p| p.distance(from) < NOTHING_MM);
+    if meets(elements.last().map(|e| e.segment.end())) {
+        elements.push(edge.clone());
+    } else if meets(elements.first().map(|e| e.segment.start())) {
+        elements.insert(0, edge.mapped(Segment::reversed));
+    }
 }
 
 /// The mirror image along the axis of the roll.
