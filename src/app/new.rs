@@ -80,7 +80,7 @@ fn station(id: u32, angle_deg: f64, line: &FormingLine) -> Station {
         centre_distance: 126.0 + grown,
         tolerance_left: 0.2,
         tolerance_right: 0.2,
-        pinch: Pinch::Gaps { drive: 1.0, clearance: 1.1 },
+        pinch: Pinch::Clearance { added: 0.0 },
         ..Station::new(id, line)
     }
 }

@@ -75,6 +75,9 @@ mod tests {
             ["roll-clearance-below-drive"]
         );
         assert_eq!(codes(|s| s.stations[1].pinch = Pinch::Clearance { added: -0.1 }), ["roll-clearance-negative"]);
+        // The strip is 0.5 mm thick.
+        let squeezed = |drive| codes(|s| s.stations[1].pinch = Pinch::Gaps { drive, clearance: 0.61 });
+        assert_eq!((squeezed(0.49), squeezed(0.5)), (vec!["roll-opening-below-strip".to_owned()], Vec::new()));
         assert_eq!(codes(|s| s.stations[1].tolerance_left = -0.1), ["roll-tolerance"]);
         assert_eq!(codes(|s| s.stations[1].extension_right[0].lengths[2] = -1.0), ["roll-extension"]);
         assert_eq!(

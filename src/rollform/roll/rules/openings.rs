@@ -1,8 +1,12 @@
-//! The openings between the rolls: above 0, the clearance not below the drive opening, and nothing taken off a clearance.
+//! The openings between the rolls: above 0, not below the thickness of the strip, the clearance not below the drive opening, and
+//! nothing taken off a clearance.
 
 use super::Checked;
 use crate::diagnostic::Diagnostic;
 use crate::document::Pinch;
+
+/// Figures in inches differ from those in mm by rounding, mm.
+const EQUAL_MM: f64 = 1e-6;
 
 /// Openings that rolls cannot have or hardly should.
 pub(super) fn check(checked: &Checked<'_>) -> Vec<Diagnostic> {
@@ -30,6 +34,18 @@ pub(super) fn check(checked: &Checked<'_>) -> Vec<Diagnostic> {
         );
         let warning = Diagnostic::warning("roll-clearance-below-drive", checked.at(), message);
         return vec![warning.with_hint("Exchange the two figures.")];
+    }
+    let thickness = checked.design.strip.thickness;
+    if drive < thickness - EQUAL_MM {
+        let message = format!(
+            "The opening on driving surfaces is {drive:.3} mm, and the strip is {thickness:.3} mm thick; the rolls would squeeze it \
+             by {:.3} mm.",
+            thickness - drive
+        );
+        return vec![
+            Diagnostic::warning("roll-opening-below-strip", checked.at(), message)
+                .with_hint("Enter the thickness or more, or choose an opening that follows the thickness."),
+        ];
     }
     Vec::new()
 }
