@@ -6,6 +6,7 @@ use super::desk::{Desk, Views};
 use super::dialogs::{Dialog, FileDialog, Purpose, UnsavedQuestion};
 use super::files::Written;
 use super::layout::{Layout, Pane};
+use super::plots::fixed;
 use super::rolls::select_station;
 use crate::diagnostic::Place;
 use crate::document::Document;
@@ -13,6 +14,7 @@ use crate::machine::Catalog;
 use crate::papers::PaperKind;
 use crate::proof::BlockRef;
 use crate::session::{Origin, Session};
+use crate::storage::import::MidLineThickness;
 use crate::storage::{self, read_pages, read_program};
 use egui::{Context, ViewportCommand};
 use std::path::{Path, PathBuf};
@@ -118,19 +120,20 @@ impl Desk {
         }
     }
 
-    /// Makes a set of form-rolls of a drawing of its cross-section. A mid-line is as thick as the section that is open, or 1 mm.
+    /// Makes a set of form-rolls of a drawing of its cross-section. A mid-line is taken to be as thick as the section that is open, or
+    /// 1 mm, and that is said; how thick an outline is, too.
     fn open_section(&mut self, ctx: &Context, path: &Path) {
-        let open = self.session.as_ref().and_then(|session| session.document().content.roll_set());
-        let thickness = open.map_or(1.0, |set| set.section.thickness);
-        match storage::import::section_drawing(path, Some(thickness)) {
+        let open = self.session.as_ref().map(|session| session.document());
+        let open = open.and_then(|d| Some(d.content.roll_set()?.section.thickness * d.unit.in_mm()));
+        match storage::import::section_drawing(path, MidLineThickness::TakenMm(open.unwrap_or(1.0))) {
             Ok((document, remarks)) => {
-                let made = document.content.roll_set().map_or(0.0, |set| set.section.thickness);
-                let unit = document.unit.symbol();
+                let thickness = document.content.roll_set().map_or(0.0, |set| set.section.thickness);
+                let unit = document.unit;
                 self.open_document(ctx, document, Origin::Fresh);
+                if !remarks.iter().any(|d| d.code == "dxf-thickness-taken") {
+                    self.say(&format!("The outline is {} {} thick.", fixed(thickness, unit.decimals()), unit.symbol()));
+                }
                 self.say_all(&remarks);
-                self.say(&format!(
-                    "The section is {made:.3} {unit} thick; a mid-line does not say so, and can be corrected."
-                ));
             }
             Err(reasons) => self.say_all(&reasons),
         }

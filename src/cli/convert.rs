@@ -7,6 +7,7 @@ use std::sync::Arc;
 use turnwright::diagnostic::{Diagnostic, has_errors};
 use turnwright::document::Document;
 use turnwright::storage;
+use turnwright::storage::import::MidLineThickness;
 
 /// Convert between file formats by the files' extensions.
 #[derive(Debug, Args)]
@@ -43,7 +44,8 @@ pub(super) fn run(args: &Convert) -> Outcome {
     }
     let catalog = catalog();
     let document = if args.section {
-        let (document, diagnostics) = storage::import::section_drawing(&args.input, args.thickness)?;
+        let thickness = args.thickness.map_or(MidLineThickness::Unknown, MidLineThickness::OfDrawing);
+        let (document, diagnostics) = storage::import::section_drawing(&args.input, thickness)?;
         complain(&diagnostics);
         Arc::new(document)
     } else {

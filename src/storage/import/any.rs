@@ -2,8 +2,8 @@
 
 use super::roll::is_roll;
 use super::{
-    CadTexts, Imported, cad, dxf, instructions, name_of, roll, roll_design, roll_flower, roll_section,
-    roll_section_dxf, tsv,
+    CadTexts, Imported, MidLineThickness, cad, dxf, instructions, name_of, roll, roll_design, roll_flower,
+    roll_section, roll_section_dxf, tsv,
 };
 use crate::diagnostic::Diagnostic;
 use crate::document::Document;
@@ -60,12 +60,14 @@ pub fn any(path: &Path, default_machine: &str) -> Result<(Document, Vec<Diagnost
     }
 }
 
-/// Makes a set of form-rolls of a drawing (`.dxf`) of its cross-section: a closed outline, or a mid-line with its
-/// `thickness` in the unit of the drawing.
+/// Makes a set of form-rolls of a drawing (`.dxf`) of its cross-section: a closed outline, or a mid-line with its `thickness`.
 ///
 /// # Errors
 /// Diagnostics with the values if the file cannot be read or shows no section.
-pub fn section_drawing(path: &Path, thickness: Option<f64>) -> Result<(Document, Vec<Diagnostic>), Vec<Diagnostic>> {
+pub fn section_drawing(
+    path: &Path,
+    thickness: MidLineThickness,
+) -> Result<(Document, Vec<Diagnostic>), Vec<Diagnostic>> {
     let bytes = textfile::read_bytes(path, MOST_BYTES).map_err(|d| vec![d])?;
     roll_section_dxf(&path.display().to_string(), &bytes, thickness)
 }

@@ -15,7 +15,7 @@ pub use cad::{CadTexts, cad};
 pub use dxf::dxf;
 pub use instructions::instructions;
 pub use roll::roll;
-pub use roll_set::{roll_design, roll_flower, roll_section, roll_section_dxf};
+pub use roll_set::{MidLineThickness, roll_design, roll_flower, roll_section, roll_section_dxf};
 pub use table::tsv;
 
 use crate::diagnostic::Diagnostic;

@@ -4,11 +4,12 @@
 //! image becomes a symmetrical one, from the middle of its middle line outwards.
 
 use super::{checked, section};
-use crate::diagnostic::{Diagnostic, Place};
+use crate::diagnostic::{Diagnostic, Place, Severity};
 use crate::document::{Content, CrossSection, DevelopedWidth, Document, Element, ElementKind, FORMAT_VERSION, Origin};
 use crate::geometry::{Contour, Point, Segment};
 use crate::storage::import::{dxf, dxf_segments, name_of};
 use crate::textfile::file_place;
+use crate::units::Unit;
 use std::path::Path;
 
 /// Lengths and radii that differ by less are alike, mm.
@@ -16,15 +17,25 @@ const ALIKE_MM: f64 = 0.005;
 /// Directions that differ by less are one, radians.
 const ALIKE_RAD: f64 = 0.002;
 
-/// Reads a cross-section; `file` is its name for messages. A mid-line needs its `thickness`, in the unit of the drawing; an
-/// outline has its own.
+/// How thick the strip of a mid-line is. An outline has its own thickness.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MidLineThickness {
+    /// Not known: a mid-line is refused.
+    Unknown,
+    /// As said by who draws, in the unit of the drawing.
+    OfDrawing(f64),
+    /// To begin with this one, mm; that it is no more than taken is said.
+    TakenMm(f64),
+}
+
+/// Reads a cross-section; `file` is its name for messages. A mid-line needs its `thickness`.
 ///
 /// # Errors
 /// Diagnostics with the values if the file cannot be read, or its lines and arcs are neither a mid-line nor an outline.
 pub fn roll_section_dxf(
     file: &str,
     bytes: &[u8],
-    thickness: Option<f64>,
+    thickness: MidLineThickness,
 ) -> Result<(Document, Vec<Diagnostic>), Vec<Diagnostic>> {
     let at = file_place(Path::new(file));
     let drawing = dxf::load(file, bytes).map_err(|d| vec![d])?;
@@ -35,7 +46,15 @@ pub fn roll_section_dxf(
     let found = if chain.closed {
         of_outline(&chain.segments, &at)
     } else {
-        let thickness = thickness.map(|t| t * unit.in_mm()).filter(|t| *t > 0.0);
+        let thickness = match thickness {
+            MidLineThickness::Unknown => None,
+            MidLineThickness::OfDrawing(thickness) => Some(thickness * unit.in_mm()),
+            MidLineThickness::TakenMm(thickness) => {
+                diagnostics.push(taken(thickness / unit.in_mm(), unit, &at));
+                Some(thickness)
+            }
+        };
+        let thickness = thickness.filter(|t| *t > 0.0);
         thickness.ok_or_else(|| no_thickness(&at)).and_then(|t| of_line(&chain.segments, t, t / 2.0, &at))
     };
     let section = found.map_err(|d| vec![d])?;
@@ -235,6 +254,15 @@ fn unusable(at: &Place, message: &str) -> Diagnostic {
     Diagnostic::error("dxf-no-section", at.clone(), message)
 }
 
+fn taken(thickness: f64, unit: Unit, at: &Place) -> Diagnostic {
+    let message = format!(
+        "A mid-line does not say how thick the strip is; {thickness:.unit$} {} are taken.",
+        unit.symbol(),
+        unit = unit.decimals()
+    );
+    Diagnostic::new(Severity::Info, "dxf-thickness-taken", at.clone(), message).with_hint("Enter the thickness.")
+}
+
 fn no_thickness(at: &Place) -> Diagnostic {
     unusable(at, "The drawing is an open line and has no thickness; a mid-line needs one greater than 0.")
         .with_hint("Give the thickness, or draw the closed outline.")
@@ -272,6 +300,7 @@ mod tests {
     }
 
     fn read(segments: &[Segment], thickness: Option<f64>) -> Result<CrossSection, Vec<Diagnostic>> {
+        let thickness = thickness.map_or(MidLineThickness::Unknown, MidLineThickness::OfDrawing);
         roll_section_dxf("hat.dxf", &drawn(segments), thickness).map(|(document, _)| {
             let Content::RollSet(RollSet { section, .. }) = document.content else { panic!("no set") };
             section
@@ -306,6 +335,34 @@ mod tests {
         let strip = Strip::at(&one, Stage::Finished);
         same(&read(&strip.mean().segments, Some(1.0)).unwrap(), &one.section);
         same(&read(&strip.outline().segments, None).unwrap(), &one.section);
+    }
+
+    /// A thickness that is only taken is mm in drawings of any unit, and told for a mid-line; an outline has its own, and nothing is
+    /// told.
+    #[test]
+    fn only_a_mid_line_is_said_to_have_no_thickness() {
+        let strip = Strip::at(&hat(), Stage::Finished);
+        let read = |segments: &[Segment]| {
+            roll_section_dxf("hat.dxf", &drawn(segments), MidLineThickness::TakenMm(1.5)).map(|(_, said)| said).unwrap()
+        };
+        let told =
+            |said: &[Diagnostic]| said.iter().filter(|d| d.code == "dxf-thickness-taken").cloned().collect::<Vec<_>>();
+        let [of_line] = <[Diagnostic; 1]>::try_from(told(&read(&strip.mean().segments))).unwrap();
+        assert!(of_line.message.contains("1.500 mm"), "{}", of_line.message);
+        assert_eq!(told(&read(&strip.outline().segments)), []);
+        let inches = |text: Vec<u8>| {
+            let text = String::from_utf8(text).unwrap();
+            let mut drawing = Drawing::load(&mut text.as_bytes()).unwrap();
+            drawing.header.version = ::dxf::enums::AcadVersion::R2000;
+            drawing.header.default_drawing_units = ::dxf::enums::Units::Inches;
+            let mut bytes = Vec::new();
+            drawing.save(&mut bytes).unwrap();
+            bytes
+        };
+        let bytes = inches(drawn(&strip.mean().segments));
+        let (document, _) = roll_section_dxf("hat.dxf", &bytes, MidLineThickness::TakenMm(2.54)).unwrap();
+        let Content::RollSet(set) = &document.content else { panic!("no set") };
+        assert!((set.section.thickness - 0.1).abs() < 1e-9 && document.unit == Unit::Inch, "{:?}", set.section);
     }
 
     #[test]

@@ -9,7 +9,7 @@ mod flower;
 mod json;
 mod section;
 
-pub use dxf::roll_section_dxf;
+pub use dxf::{MidLineThickness, roll_section_dxf};
 
 use crate::diagnostic::{Diagnostic, Place};
 use crate::document::{Content, Document, RollSet};
