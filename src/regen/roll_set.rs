@@ -3,7 +3,7 @@
 use super::cache::PartCache;
 use super::{Derived, Stage, Steps, file_stem, turned_part};
 use crate::cancel::{Cancel, Cancelled};
-use crate::diagnostic::{Diagnostic, Place, has_errors};
+use crate::diagnostic::{Diagnostic, Place, Severity, has_errors};
 use crate::document::{Content, Document, FORMAT_VERSION, RollRef, RollSet, RollWork, fingerprint};
 use crate::machine::Catalog;
 use crate::proof::ProgramText;
@@ -240,7 +240,7 @@ impl Whole<'_> {
 }
 
 /// Messages about the part that a roll is turned as, as ones about the roll, which name the rows: what is said alike of both rows
-/// at a corner is said once.
+/// at a corner is said once, and remarks of one kind are one that names all rows.
 fn of_the_roll(name: &str, all: &[Diagnostic]) -> Vec<Diagnostic> {
     /// Messages of neighbouring rows are not further apart.
     const NEAR: usize = 4;
@@ -252,10 +252,34 @@ fn of_the_roll(name: &str, all: &[Diagnostic]) -> Vec<Diagnostic> {
             _ => groups.push((said, vec![&said.at])),
         }
     }
-    groups
-        .into_iter()
-        .map(|(said, places)| if is_of_part(&said.at) { renamed(name, said, &places) } else { said.clone() })
-        .collect()
+    let mut told: Vec<Diagnostic> = Vec::new();
+    for (said, places) in groups {
+        if !is_of_part(&said.at) {
+            told.push(said.clone());
+            continue;
+        }
+        let is_remark = said.severity == Severity::Info;
+        match told.iter_mut().find(|d| is_remark && d.severity == said.severity && d.code == said.code) {
+            Some(first) => also_at(first, &places),
+            None => told.push(renamed(name, said, &places)),
+        }
+    }
+    told
+}
+
+/// Adds rows to a remark about others.
+fn also_at(first: &mut Diagnostic, places: &[&Place]) {
+    const ALSO: &str = " Also at ";
+    first.message = match first.message.strip_suffix('.') {
+        Some(begun) if begun.contains(ALSO) => format!("{begun}; {}.", named(places)),
+        _ => format!("{}{ALSO}{}.", first.message, named(places)),
+    };
+    first.related.extend(places.iter().map(|place| (*place).clone()));
+}
+
+/// The names of rows that are neighbours.
+fn named(places: &[&Place]) -> String {
+    places.iter().map(ToString::to_string).collect::<Vec<_>>().join(" and ")
 }
 
 /// True if a place is one of the part, and not of its program, machine or tools.
@@ -264,10 +288,9 @@ const fn is_of_part(at: &Place) -> bool {
 }
 
 fn renamed(name: &str, said: &Diagnostic, places: &[&Place]) -> Diagnostic {
-    let named: Vec<String> = places.iter().map(ToString::to_string).collect();
     Diagnostic {
         at: Place::Roll { name: name.to_owned() },
-        message: format!("{}: {}", named.join(" and "), said.message),
+        message: format!("{}: {}", named(places), said.message),
         related: places.iter().map(|place| (*place).clone()).chain(said.related.iter().cloned()).collect(),
         ..said.clone()
     }
@@ -292,5 +315,31 @@ mod tests {
             [format!("{a} and {b}: 0.1 mm are left."), format!("{b}: 0.2 mm are left."), "0.2 mm are left.".into()]
         );
         assert_eq!((told[0].related.as_slice(), &told[2].at), ([row(2), row(3)].as_slice(), &block));
+    }
+
+    #[test]
+    fn remarks_of_one_kind_are_one_that_names_all_rows() {
+        let row = |row: usize| Place::Section { id: 1, table: SectionTable::Outside, row, column: None };
+        let left =
+            |at: Place, mm: &str| Diagnostic::new(Severity::Info, "not-reached", at, format!("{mm} mm are left."));
+        let mut all: Vec<Diagnostic> =
+            [2, 3, 6, 7, 9].map(|k| left(row(k), if k < 6 { "0.1" } else { "0.2" })).to_vec();
+        all.push(Diagnostic { severity: Severity::Warning, ..left(row(12), "3.0") });
+        let told = of_the_roll("1470b-2T", &all);
+        let [remark, warning] = told.as_slice() else { panic!("{told:?}") };
+        let name = |k: usize| row(k).to_string();
+        assert_eq!(
+            remark.message,
+            format!(
+                "{} and {}: 0.1 mm are left. Also at {} and {} and {}.",
+                name(2),
+                name(3),
+                name(6),
+                name(7),
+                name(9)
+            )
+        );
+        assert_eq!(remark.related.len(), 5);
+        assert!(warning.message.contains("3.0 mm"), "warnings stay by themselves: {}", warning.message);
     }
 }
