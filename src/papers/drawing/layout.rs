@@ -1,5 +1,6 @@
 //! The main view with its rows of figures at one scale on one sheet.
 
+use super::detail::Detail;
 use super::figure;
 use super::marks::Mark;
 use super::row::{Place, Row, TEXT_MM};
@@ -48,15 +49,18 @@ impl Layout {
             return Err(Unfit::Size);
         }
         let (mut above, mut below) = (subject.outside_leaders.clone(), subject.outside_positions.clone());
-        let mut zones = Vec::new();
+        let mut zones = zones::zones(above.iter().chain(&below), scale, length);
+        if subject.bore.is_some() {
+            // All figures of the outside share one row; what no detail has room for stays there.
+            let half = Bounds { max: Point::new(f64::midpoint(room.min.z, room.max.z), room.max.r), ..room };
+            zones.retain(|zone| Detail::new(subject, *zone, half, scale).is_some());
+        }
+        let shown_in_a_detail = |mark: &Mark| zones.iter().any(|zone| zone.holds(mark));
+        above.retain(|mark| !shown_in_a_detail(mark));
+        below.retain(|mark| !shown_in_a_detail(mark));
         if subject.bore.is_some() {
             above.append(&mut below);
             below.clone_from(&subject.bore_marks);
-        } else {
-            zones = zones::zones(above.iter().chain(&below), scale, length);
-            let shown_in_a_detail = |mark: &Mark| zones.iter().any(|zone| zone.holds(mark));
-            above.retain(|mark| !shown_in_a_detail(mark));
-            below.retain(|mark| !shown_in_a_detail(mark));
         }
         let origin_z = f64::midpoint(room.min.z, room.max.z) - f64::midpoint(min.z, max.z) * scale;
         let mut view = View { origin: Point::new(origin_z, 0.0), scale };

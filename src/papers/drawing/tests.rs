@@ -100,6 +100,31 @@ fn paper_and_scale_are_chosen_to_show_the_part_in_its_true_size_or_larger() {
     assert!(pages[1].part.is_some_and(|view| view.scale >= 5.0));
 }
 
+/// The bore takes the row below the view; the crowds of the outside are shown in details all the same, and no figure is lost.
+#[test]
+fn a_roll_with_a_bore_has_its_details_too() {
+    let texts = |pages: &[Page]| -> std::collections::BTreeSet<String> {
+        let items = pages.iter().flat_map(|page| &page.items);
+        let upright = items.filter_map(|item| match item {
+            Item::Text { text, upright: true, .. } => Some(text.clone()),
+            _ => None,
+        });
+        upright.collect()
+    };
+    let solid = roll();
+    let mut bored = solid.clone();
+    let Content::TurnedPart(part) = &mut bored.content else { unreachable!("a turned part") };
+    part.bore = vec![Section::line(900, 0.0, 50.0, part.length, 50.0)];
+    let [solid, bored] = [&solid, &bored].map(|d| pages(d, DrawingChoice::default()).unwrap());
+    assert_eq!((bored.len(), bored[0].part.map(|view| view.scale)), (2, Some(1.0)));
+    let (mut before, after) = (texts(&solid), texts(&bored));
+    before.insert("Ø 50".to_owned());
+    assert_eq!(after, before);
+    for page in &bored {
+        assert_eq!(flaw(page), None);
+    }
+}
+
 #[test]
 fn a_long_shaft_is_drawn_at_half_its_size_and_a_pin_larger() {
     let part = |length: f64, d: f64| TurnedPart {
