@@ -34,6 +34,11 @@ fn every_roll_of_every_example_is_proved() {
             set.rolls.iter().filter(|roll| roll.is_proved()).count(),
             minutes / 60.0 * per_hour + blanks_kg * per_kg
         );
+        // The published rolls keep their sharp corners; the corners of the others are as a shop would have them.
+        let found = set.rolls.iter().flat_map(|r| &r.derived.setups).map(|s| s.proof.findings.len()).sum::<usize>();
+        let said = derived.diagnostics.len() + found;
+        println!("{}: {said} remarks", example.name);
+        assert!(example.name == "1470b" || said <= 20, "{}: {:?}", example.name, derived.diagnostics);
         for roll in &set.rolls {
             let wrong = roll.derived.setups.iter().find_map(|s| s.proof.errors().next());
             assert!(roll.is_proved(), "{}: {wrong:?}", roll.name);
