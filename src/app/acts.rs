@@ -123,7 +123,7 @@ impl Desk {
     /// Makes a set of form-rolls of a drawing of its cross-section. A mid-line is taken to be as thick as the section that is open, or
     /// 1 mm, and that is said; how thick an outline is, too.
     fn open_section(&mut self, ctx: &Context, path: &Path) {
-        let open = self.session.as_ref().map(|session| session.document());
+        let open = self.session.as_ref().map(Session::document);
         let open = open.and_then(|d| Some(d.content.roll_set()?.section.thickness * d.unit.in_mm()));
         match storage::import::section_drawing(path, MidLineThickness::TakenMm(open.unwrap_or(1.0))) {
             Ok((document, remarks)) => {

@@ -43,6 +43,31 @@ fn every_example_builds_and_is_proved() {
     }
 }
 
+/// Every roll of the published set has its files under the published names, and the set has its own.
+#[test]
+fn a_roll_set_builds_every_file_under_its_published_name() {
+    let (_keep, out) = built("1470b.turn");
+    let rolls = ["1T", "1B", "2T", "2B", "3T", "3B", "3L", "3R"].map(|roll| format!("1470b-{roll}"));
+    let of_roll = |roll: &String| {
+        let own = ["contour.json", "setup.json", "proof.json", "dxf", "pdf"].map(|ending| format!("{roll}.{ending}"));
+        own.into_iter().chain([format!("E{roll}.txt"), format!("NC{roll}.nc")])
+    };
+    let of_set = ["1470b.parts.csv", "1470b.parts.pdf", "1470b.die.dxf", "report.json"].map(str::to_owned);
+    let mut wanted: Vec<String> = rolls.iter().flat_map(of_roll).chain(of_set).collect();
+    wanted.sort();
+    let mut found: Vec<String> = std::fs::read_dir(&out)
+        .expect("the folder")
+        .map(|entry| entry.expect("a file").file_name().to_string_lossy().into_owned())
+        .collect();
+    found.sort();
+    assert_eq!(found, wanted);
+    for roll in &rolls {
+        assert_eq!(json(&out.join(format!("{roll}.proof.json")))["passed"], true, "{roll}");
+        let program = std::fs::read_to_string(out.join(format!("NC{roll}.nc"))).expect("a program");
+        assert!(program.lines().count() > 20 && program.contains("M30"), "{roll}");
+    }
+}
+
 #[test]
 fn build_writes_contour_setup_programs_and_proof() {
     let (_keep, out) = built("queen.turn");

@@ -49,9 +49,16 @@ fn stages_are_picked_and_the_station_follows() {
     window.click("Stage 2");
     assert_eq!(window.session().selection.station, Some(2));
     window.screenshot("rolls-flower");
+    let canvas = window.harness.get_by_role_and_label(egui::accesskit::Role::Canvas, "Flower").rect();
+    let in_common = window.picture().part(canvas);
     window.click("side by side");
     window.harness.run_steps(3);
+    let apart = window.picture().part(canvas);
+    assert!(apart != in_common, "every stage has an origin of its own");
     window.screenshot("rolls-flower-side-by-side");
+    window.click("side by side");
+    window.harness.run_steps(3);
+    assert!(window.picture().part(canvas) != apart, "and one in common again");
 }
 
 #[test]

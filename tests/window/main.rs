@@ -14,5 +14,6 @@ mod plan;
 mod roll_editor;
 mod rolls;
 mod rolls_dark;
+mod rolls_first;
 mod rolls_nonsense;
 mod shell;

@@ -94,6 +94,9 @@ fn wrong(session: &Session) -> BTreeMap<(u32, u32), String> {
     found
 }
 
+/// Width of a column, points: six stations and the finished section fit beside one another.
+const COLUMN: f32 = 46.0;
+
 /// Bends by station.
 struct Angles<'a> {
     set: &'a RollSet,
@@ -111,7 +114,7 @@ impl<'a> Angles<'a> {
         let bends = set.section.all().filter(|e| matches!(e.kind, ElementKind::Bend { .. })).copied().collect();
         let of_station = |(number, s): (usize, &Station)| Heading {
             current: station == Some(s.id),
-            ..Heading::figures(format!("stn {number}"), 52.0)
+            ..Heading::figures(format!("stn {number}"), COLUMN)
         };
         let stations = (1..).zip(&set.stations).map(of_station);
         Self {
@@ -119,7 +122,7 @@ impl<'a> Angles<'a> {
             bends,
             at_stations: (0..set.stations.len()).map(|index| angles_deg(set, Stage::Station(index))).collect(),
             wrong: wrong(session),
-            headings: stations.chain(std::iter::once(Heading::figures("final", 52.0))).collect(),
+            headings: stations.chain(std::iter::once(Heading::figures("final", COLUMN))).collect(),
         }
     }
 

@@ -78,7 +78,8 @@ pub(super) fn show(
         session.edit("add an element", None, |document| _ = elements.change(document, &Change::Insert(end)));
         view.sheet.go_to(end, LENGTH);
     }
-    let height = (ui.available_height() - super::strip_data::height(view.with_material)).max(LEAST);
+    let height =
+        (ui.available_height() - super::strip_data::height(view.with_material, set.section.developed_width)).max(LEAST);
     sheet::show(ui, &elements, &mut view.sheet, session, requests, height);
     egui::ScrollArea::vertical().id_salt("strip-data").auto_shrink([false, false]).show(ui, |ui| {
         ui.add_space(8.0);

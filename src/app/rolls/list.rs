@@ -273,3 +273,41 @@ fn costs(ui: &mut Ui, set: &RollSet, session: &mut Session, catalog: &Catalog) {
         form.choice(ui, session, Field::of("Material"), &present, &all, |s, name| s.material = name);
     });
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cancel::Cancel;
+    use crate::document::{Content, Kind};
+    use crate::regen::{Cache, regenerate};
+    use crate::storage::{document_from_text, examples_of};
+
+    #[test]
+    fn a_roll_is_designed_edited_planned_proved_and_sent() {
+        let example = examples_of(Kind::RollSet).find(|e| e.name == "1470b").unwrap();
+        let mut document = document_from_text(example.name, example.text).unwrap();
+        let Content::RollSet(set) = &mut document.content else { unreachable!("a set") };
+        // The second station, whose rolls are edited.
+        set.stations.drain(2..);
+        set.stations[0].without_rolls = true;
+        let document = Arc::new(document);
+        let derived = regenerate(&document, &Catalog::shipped(), &mut Cache::default(), &Cancel::default())
+            .unwrap()
+            .rolls
+            .unwrap();
+        let roll = derived.design.rolls().next().unwrap();
+        let made = derived.of_roll(roll.roll).unwrap();
+        let plain = Roll { elements: roll.designed.clone(), ..roll.clone() };
+        assert_eq!(Status::of(&plain, None, Sent::No), Status::Designed);
+        assert_eq!(Status::of(roll, None, Sent::No), Status::Edited);
+        let before = RollDerived { current: false, ..made.clone() };
+        assert_eq!(Status::of(roll, Some(&before), Sent::Yes), Status::Edited, "what was made before is of no use");
+        let unsound = RollDerived { sound: false, ..made.clone() };
+        assert_eq!(Status::of(roll, Some(&unsound), Sent::No), Status::Planned);
+        assert_eq!(Status::of(roll, Some(made), Sent::No), Status::Proved);
+        assert_eq!(Status::of(roll, Some(made), Sent::Before), Status::Proved);
+        assert_eq!(Status::of(roll, Some(made), Sent::Yes), Status::Sent);
+        let words = [Status::Designed, Status::Edited, Status::Planned, Status::Proved, Status::Sent].map(Status::word);
+        assert_eq!(words, ["designed", "edited", "planned", "proved", "sent"]);
+    }
+}

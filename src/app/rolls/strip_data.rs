@@ -28,8 +28,9 @@ const METHODS: [DevelopedWidth; 7] = [
 ];
 
 /// Room that the fields take, points.
-pub(super) const fn height(with_material: bool) -> f32 {
-    if with_material { 198.0 } else { 136.0 }
+pub(super) const fn height(with_material: bool, method: DevelopedWidth) -> f32 {
+    let own = if matches!(method, DevelopedWidth::Own { .. }) { 31.0 } else { 0.0 };
+    own + if with_material { 198.0 } else { 136.0 }
 }
 
 /// Shows the fields.
@@ -57,15 +58,15 @@ pub(super) fn show(ui: &mut Ui, set: &RollSet, unit: Unit, session: &mut Session
     Form::row(ui, |ui| {
         let all = ORIGINS.map(|o| (o, words::origin(o).to_owned()));
         form.choice(ui, session, Field::of("Origin"), &set.section.origin, &all, |s, origin| s.section.origin = origin);
-        match set.section.developed_width {
-            DevelopedWidth::Own { k } => form.figure(ui, session, Field::of("k"), k, |s, k| {
-                s.section.developed_width = DevelopedWidth::Own { k };
-            }),
-            _ => form.angle(ui, session, Field::of("First slope"), set.section.first_angle_deg, |s, deg| {
-                s.section.first_angle_deg = deg;
-            }),
-        }
+        form.angle(ui, session, Field::of("First slope"), set.section.first_angle_deg, |s, deg| {
+            s.section.first_angle_deg = deg;
+        });
     });
+    if let DevelopedWidth::Own { k } = set.section.developed_width {
+        Form::row(ui, |ui| {
+            form.figure(ui, session, Field::of("k"), k, |s, k| s.section.developed_width = DevelopedWidth::Own { k });
+        });
+    }
     Form::row(ui, |ui| {
         let all = OPENINGS.map(|o| (o, words::opening(o).to_owned()));
         form.choice(ui, session, Field::of("Bends open"), &set.opening, &all, |s, opening| s.opening = opening);

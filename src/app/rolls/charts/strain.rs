@@ -145,7 +145,8 @@ fn station(
             painter.rect_filled(bar, 0.0, color);
         }
         let ink = if value > limit { colors.plot.wrong } else { colors.plot.quiet };
-        value_on(&painter, pos2(from + width / 2.0, top - 2.0), &percent(value), ink, ground);
+        let room = column.width() / 2.0;
+        value_on(&painter, pos2(from + width / 2.0, top - 2.0), &percent(value), room, (ink, ground));
     }
     let name = format!("station {}", index + 1);
     let at = pos2(middle, column.bottom() - NAMES / 2.0);
@@ -156,9 +157,13 @@ fn station(
     response.on_hover_text(detail(strain, limit, set));
 }
 
-/// A value above its bar, readable over the lines of the scale.
-fn value_on(painter: &Painter, at: Pos2, text: &str, ink: Color32, ground: Color32) {
-    let galley = painter.layout_no_wrap(text.to_owned(), FontId::proportional(theme::SMALL), ink);
+/// A value above its bar, readable over the lines of the scale; where there is no room for its unit, the scale tells it.
+fn value_on(painter: &Painter, at: Pos2, text: &str, room: f32, (ink, ground): (Color32, Color32)) {
+    let laid = |text: &str| painter.layout_no_wrap(text.to_owned(), FontId::proportional(theme::SMALL), ink);
+    let mut galley = laid(text);
+    if galley.size().x > room {
+        galley = laid(text.trim_end_matches(" %"));
+    }
     let rect = Align2::CENTER_BOTTOM.anchor_size(at, galley.size());
     painter.rect_filled(rect.expand2(vec2(2.0, -1.0)), 2.0, ground);
     painter.galley(rect.min, galley, ink);
