@@ -69,6 +69,26 @@ fn a_roll_set_builds_every_file_under_its_published_name() {
 }
 
 #[test]
+fn one_roll_of_a_set_is_drawn_in_every_kind_of_file() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let draw = |ending: &str, roll: &str| {
+        let file = folder.path().join(format!("roll.{ending}"));
+        turnwright(&["draw", &example("1470b.turn"), &file.display().to_string(), "--roll", roll])
+    };
+    for ending in ["pdf", "svg", "dxf", "plt"] {
+        let output = draw(ending, "2T");
+        assert_eq!(code(&output), 0, "{}", text(&output.stderr));
+        let written = text(&output.stdout);
+        // The view and its details; only a PDF has both pages in one file.
+        assert_eq!(written.lines().count(), if ending == "pdf" { 1 } else { 2 }, "{written}");
+        assert!(written.lines().all(|file| Path::new(file).is_file()), "{written}");
+    }
+    let refused = draw("pdf", "9T");
+    assert_eq!(code(&refused), 2);
+    assert!(text(&refused.stderr).contains("1470b-2T"), "{}", text(&refused.stderr));
+}
+
+#[test]
 fn build_writes_contour_setup_programs_and_proof() {
     let (_keep, out) = built("queen.turn");
     let contour = json(&out.join("QUEEN.contour.json"));
