@@ -38,6 +38,9 @@ const READ_BACK_MM: f64 = 0.001;
 /// Moves shorter than this may be lost to rounding, mm.
 const NO_MOVE_MM: f64 = 0.002;
 
+/// Tools of the whole table in one turret.
+const MOST_TOOLS: usize = 6;
+
 /// One row: width, both diameters as shares of the largest, bend (0 and 3 none, 1 hollow, 2 bulge), radius over chord.
 type Row = (f64, f64, f64, u8, f64);
 
@@ -108,6 +111,27 @@ fn turret(case: &Case) -> Vec<TurretTool> {
     let is_there = |k: usize| (case.tools >> k) & 1 == 1;
     let drawn: Vec<TurretTool> = (0..).zip(&all).filter(|(k, _)| is_there(*k)).map(|(_, tool)| tool.clone()).collect();
     if drawn.is_empty() { all[..1].to_vec() } else { drawn }
+}
+
+/// One to six tools of the whole table in stations from 1 on, drawn by the case's number of tools.
+fn turret_of_table(case: &Case) -> Vec<TurretTool> {
+    let table = Catalog::shipped().tools;
+    let mut state = u64::from(case.tools);
+    let mut below = |count: usize| {
+        // Multiplier and increment of Knuth's MMIX; the high bits are the random ones.
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        usize::try_from(state >> 33).unwrap() % count
+    };
+    let count = 1 + below(MOST_TOOLS);
+    let plain = |(station, tool): (u32, String)| TurretTool {
+        station,
+        tool,
+        offset: None,
+        change_z_mm: None,
+        change_diameter_mm: None,
+    };
+    let ids = (0..count).map(|_| table[below(table.len())].id.clone());
+    (1..).zip(ids).map(plain).collect()
 }
 
 /// Some stations of a machine's own turret.
@@ -221,8 +245,8 @@ fn broken(derived: &Derived, setup: &SetupDerived) -> Option<String> {
 
 /// No gouge beyond rounding, nothing touched at rapid or by what cannot cut, nothing left that was not named, and every program
 /// read back to the moves of its path. A part that the checks refuse needs no program.
-fn promises_hold(case: &Case) -> Result<(), TestCaseError> {
-    let derived = derived(part(case), turret(case));
+fn promises_hold(case: &Case, turret: Vec<TurretTool>) -> Result<(), TestCaseError> {
+    let derived = derived(part(case), turret);
     first_broken(&derived).map_or(Ok(()), |why| Err(TestCaseError::fail(why)))
 }
 
@@ -235,23 +259,35 @@ fn is_refused(derived: &Derived) -> bool {
 }
 
 /// One part and one set of tools for every seed, so that a failing one is found again by its number.
-fn run(seeds: RangeInclusive<u64>) {
+fn run(seeds: RangeInclusive<u64>, turret: fn(&Case) -> Vec<TurretTool>) {
     for seed in seeds {
-        let ran = TestRunner::new(drawn(1, seed)).run(&case(), |case| promises_hold(&case));
+        let ran = TestRunner::new(drawn(1, seed)).run(&case(), |case| promises_hold(&case, turret(&case)));
         assert!(ran.is_ok(), "seed {seed}: {}", ran.unwrap_err());
     }
 }
 
 #[test]
 fn random_parts_are_cut_with_the_tools_that_are_there() {
-    run(1..=300);
+    run(1..=300, turret);
 }
 
 /// `cargo test --release --test engine planner_sets:: -- --ignored`
 #[test]
 #[ignore = "takes minutes; seeds 301 to 5300"]
 fn five_thousand_random_parts_are_cut_with_the_tools_that_are_there() {
-    run(301..=5300);
+    run(301..=5300, turret);
+}
+
+#[test]
+fn random_parts_are_cut_with_tools_of_the_whole_table() {
+    run(1..=200, turret_of_table);
+}
+
+/// `cargo test --release --test engine planner_sets:: -- --ignored`
+#[test]
+#[ignore = "takes minutes; seeds 201 to 5200"]
+fn five_thousand_random_parts_are_cut_with_tools_of_the_whole_table() {
+    run(201..=5200, turret_of_table);
 }
 
 /// A planned part of a bar of 26 mm.
@@ -309,4 +345,24 @@ fn what_is_missing_is_named_and_the_rest_is_programmed() {
     let whole = derived_with(bush, &[1, 7]);
     assert!(["drill-missing", "blade-missing"].iter().all(|c| codes(&whole).contains(c)), "{:?}", codes(&whole));
     assert!([&blade, &solid, &whole].iter().all(|d| first_broken(d).is_none()));
+}
+
+#[test]
+fn the_head_of_a_program_says_the_time_that_the_proof_measures() {
+    let rows = vec![
+        Section::line(1, 0.0, 24.0, 30.0, 24.0),
+        Section::line(2, 30.0, 14.0, 50.0, 12.0),
+        Section::line(3, 50.0, 8.0, 60.0, 8.0),
+    ];
+    for machine in [MACHINES[2], MACHINES[3]] {
+        let derived = derived_with(turned(machine, 0.8, rows.clone()), &[1, 2]);
+        let [setup] = &derived.setups[..] else { panic!("one clamping") };
+        let [program] = &setup.post.programs[..] else { panic!("one program") };
+        let said = program.text.lines().find_map(|line| line.strip_prefix("(TIME ")).unwrap();
+        let words: Vec<f64> = said.split(' ').filter_map(|word| word.parse().ok()).collect();
+        // The proof takes the first tool to be in its place.
+        let measured = setup.proof.times.total_s + derived.machine.as_ref().unwrap().tool_change_s;
+        let told = 60.0 * words[0] + words[1];
+        assert!((told - measured).abs() < 1.0 + 0.02 * measured, "{}: {told} s, {measured} s", machine.0);
+    }
 }

@@ -39,8 +39,13 @@ pub(super) fn header(control: &Control<'_>, header: &Header, path: &CutterPath, 
     texts.iter().flat_map(|text| comments(control, text)).collect()
 }
 
+/// The time with all tool changes, the one to the first tool as well.
 fn time_text<'p>(control: &Control<'_>, path: &CutterPath, operations: impl Iterator<Item = &'p Operation>) -> String {
-    let total: f64 = operations.map(|o| seconds(o, path, control.machine)).sum();
+    let (mut total, mut tool) = (0.0, None);
+    for operation in operations {
+        let changes = tool.replace(operation.tool) != Some(operation.tool);
+        total += seconds(operation, path, control.machine) + if changes { control.machine.tool_change_s } else { 0.0 };
+    }
     let whole = super::control::rounded(total);
     format!("TIME {} MIN {} S", whole / 60, whole % 60)
 }

@@ -4,11 +4,11 @@ use crate::geometry::{Point, Segment, Vector};
 use crate::machine::{Axis, Machine};
 use crate::turning::{Cut, CutMove, CutterPath, Operation};
 
-/// Seconds for an operation with its tool change; acceleration is left out.
+/// Seconds for an operation; the change to its tool is not counted.
 pub(super) fn seconds(operation: &Operation, path: &CutterPath, machine: &Machine) -> f64 {
     let mut clock = Clock { machine, at: operation.change.unwrap_or(path.datum), minutes: 0.0 };
     clock.moves(&operation.moves, Vector::zeros());
-    clock.minutes * 60.0 + machine.tool_change_s
+    clock.minutes * 60.0
 }
 
 struct Clock<'a> {
@@ -51,10 +51,18 @@ impl Clock<'_> {
     }
 
     fn rapid(&mut self, to: Point) {
-        let (dz, dr) = ((to.z - self.at.z).abs(), (to.r - self.at.r).abs());
-        let (x, z) = (self.machine.rapid_mm_per_min(Axis::X), self.machine.rapid_mm_per_min(Axis::Z));
-        self.minutes += (dr / x).max(dz / z);
+        let way = to - self.at;
+        self.minutes += self.slide(way.y.abs(), Axis::X).max(self.slide(way.x.abs(), Axis::Z)) / 60.0;
         self.at = to;
+    }
+
+    /// Seconds of a slide from rest to rest over `way` mm: at its rapid rate and, from there and to there, at the machine's
+    /// acceleration; a short way is over before the rate is reached.
+    fn slide(&self, way: f64, axis: Axis) -> f64 {
+        let rate = self.machine.rapid_mm_per_min(axis) / 60.0;
+        let Some(motion) = self.machine.motion else { return way / rate };
+        let run_up = rate / motion.acceleration_mm_per_s2;
+        if way >= rate * run_up { way / rate + run_up } else { 2.0 * (way / motion.acceleration_mm_per_s2).sqrt() }
     }
 
     /// Simpson's rule over the move: under a constant cutting speed the feed follows the radius.

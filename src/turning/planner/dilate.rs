@@ -251,6 +251,23 @@ mod tests {
     }
 
     #[test]
+    fn a_line_along_an_edge_of_the_body_is_passed_once() {
+        for shape in shapes() {
+            let body: Vec<Piece> = shape.parts.iter().flat_map(|p| p.chain.pieces.clone()).collect();
+            for edge in body.iter().filter(|p| matches!(p.form, Form::Line { .. })) {
+                let (from, along) = (Point::new(8.1, 27.3), edge.right() - edge.left());
+                // Parallel but for what rounding makes of it.
+                for k in 1..400 {
+                    let surface = Chain { pieces: vec![Piece::line(from, from + along * (f64::from(k) * 0.0037))] };
+                    let limit = shape.over(&surface);
+                    let in_order = limit.pieces.windows(2).all(|w| w[1].z0 >= w[0].z1 - SAME_MM);
+                    assert!(in_order, "{k}: {limit:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
     fn a_ball_on_a_corner_rolls_over_it() {
         let step = Chain { pieces: vec![Piece::level(0.0, 5.0, 3.0), Piece::level(5.0, 9.0, 1.0)] };
         let limit = Shape::disc(0.5).over(&step);

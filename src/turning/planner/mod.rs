@@ -11,6 +11,7 @@
 //! | `outline`, `shape`, `rolling`, `lows`, `dilate` | outlines of tools turned over and rolled along functions |
 //! | `tool`, `guard`, `work` | what a tool is for, what of it must not meet stock; contour, jaws, stock, limits |
 //! | `hanging` | stock that hangs over what was cut |
+//! | `rest` | where tools are changed that have no place of their own |
 //! | `trace`, `corner`, `path`, `link` | limits as paths that a control can take; moves; ways through air |
 //! | `rough`, `follow`, `groove`, `thread` | one kind of operation each |
 //! | `side` | a bore seen as an outside |
@@ -38,6 +39,7 @@ mod outline;
 mod path;
 mod piece;
 mod recipes;
+mod rest;
 mod rolling;
 mod rough;
 mod rough_recipe;
@@ -50,24 +52,17 @@ mod work;
 
 use super::{CutterPath, Task};
 use crate::diagnostic::Diagnostic;
-use crate::geometry::Point;
 use crate::machine::ZeroEnd;
 use crate::part;
 
 /// How far arcs may leave a parabola of the contour in a planned path, mm.
 const PARABOLA_TOLERANCE_MM: f64 = 0.002;
 
-/// Where tools are that have no change position of their own.
-fn datum(task: &Task<'_>) -> Point {
-    let (setup, rule) = (task.setup, &task.machine.datum);
-    Point::new(setup.length + rule.axial_clearance_mm, setup.bar_radius + rule.radial_clearance_mm)
-}
-
 /// The planned cutter path of a set-up.
 #[must_use]
 pub fn plan(task: &Task<'_>) -> (CutterPath, Vec<Diagnostic>) {
     let (setup, machine) = (task.setup, task.machine);
-    let datum = datum(task);
+    let datum = rest::place(task);
     let zero_z = match machine.datum.zero {
         ZeroEnd::FreeEnd => setup.length,
         ZeroEnd::ClampedEnd => 0.0,

@@ -14,6 +14,7 @@ use super::groove;
 use super::left::{self, Left};
 use super::link::{LEAN, go};
 use super::path::Path;
+use super::rest;
 use super::rough::Rough;
 use super::side::Side;
 use super::tool::{Cutter, Use};
@@ -150,7 +151,7 @@ impl<'a> Order<'a> {
         let change = of_machine.map(|place| Point::new(place.z_mm + self.zero_z, place.diameter_mm / 2.0));
         match self.side {
             Side::Outside => change,
-            Side::Inside { .. } => Some(self.side.point(change.unwrap_or_else(|| super::datum(self.task)))),
+            Side::Inside { .. } => Some(self.side.point(change.unwrap_or_else(|| rest::place(self.task)))),
         }
     }
 

@@ -173,9 +173,12 @@ impl Sum<'_> {
         }
     }
 
-    /// A straight edge of the body.
+    /// A straight edge of the body. Behind a line that has been passed it is on the right, even if it faces further to the left
+    /// by a rounding.
     fn edge(&mut self, part: &Piece, facing: Facing) {
-        let on = if facing.slope >= self.way.first.slope && !self.walked {
+        let on = if self.walked {
+            self.way.right
+        } else if facing.slope >= self.way.first.slope {
             self.way.left
         } else if facing.slope <= self.way.last.slope {
             self.way.right

@@ -14,7 +14,7 @@ use crate::part::{PartContour, Setup};
 const JAW_CLEARANCE_MM: f64 = 1.0;
 
 /// The same on its ways through air, mm: less, so that it can get to where it may cut.
-const PASSING_MM: f64 = 0.5;
+pub(super) const PASSING_MM: f64 = 0.5;
 
 /// The bar that stays begins this far beyond the last place that a nose cuts, mm: rounding must not make it a wall.
 const BESIDE_MM: f64 = 1e-6;
