@@ -78,8 +78,8 @@ const BACK_CLEARANCE_MM: f64 = 0.01;
 const BEHIND_EDGE_MM: f64 = 0.3;
 
 /// How much further than just behind a cutting edge it is: the end of that edge cuts, too. What stock the part that does not count
-/// may meet grows with the square of this: 0.0009 mm² where the outline turns by 20 degrees, as at the blunt corners of a trigon.
-const WELL_BEHIND: f64 = 3.5;
+/// may meet grows with the square of this: 0.0005 mm² where the outline turns by 20 degrees, as at the blunt corners of a trigon.
+const WELL_BEHIND: f64 = 2.5;
 
 /// Edges that rise less than this over their length lie level, mm.
 const LEVEL_MM: f64 = 1e-6;
