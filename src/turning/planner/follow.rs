@@ -181,11 +181,30 @@ fn up_to(way: &[Segment], index: usize, z: f64) -> Vec<Segment> {
     way.iter().take(index).copied().chain(cut.map(|p| p.towards_chuck())).collect()
 }
 
-/// The way from a position on or behind one of its segments.
+/// The way from a position on or behind one of its segments. What lies behind it as a whole stays as it is: an upright line may run
+/// away from the chuck by a rounding.
 fn beyond(way: &[Segment], index: usize, z: f64) -> Vec<Segment> {
-    let rest = way.iter().skip(index).filter_map(|s| match Piece::of(s) {
-        Some(piece) => piece.clipped(f64::NEG_INFINITY, z).map(|p| p.towards_chuck()),
-        None => (s.start().z < z).then_some(*s),
+    let rest = way.iter().skip(index).filter_map(|s| {
+        if s.start().z.max(s.end().z) < z {
+            return Some(*s);
+        }
+        Piece::of(s).and_then(|piece| piece.clipped(f64::NEG_INFINITY, z)).map(|piece| piece.towards_chuck())
     });
     rest.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_rest_of_a_way_hangs_together_over_an_upright_line() {
+        let p = Point::new;
+        for by in [-1e-8, 0.0, 1e-8] {
+            let corners = [p(20.0, 5.0), p(17.0, 5.0), p(17.0 + by, 6.0), p(0.0, 6.0)];
+            let way: Vec<Segment> = corners.windows(2).map(|w| Segment::line(w[0], w[1])).collect();
+            let rest = beyond(&way, 0, 19.0);
+            assert_eq!((rest[0].start(), rest[1..].to_vec()), (p(19.0, 5.0), way[1..].to_vec()), "{by}");
+        }
+    }
 }
