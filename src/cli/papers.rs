@@ -105,7 +105,11 @@ fn roll<'a>(derived: &'a Derived, name: &str) -> Result<&'a Derived, Diagnostic>
     let is_it = |roll: &&RollDerived| roll.name == name || roll.name.rsplit('-').next() == Some(name);
     rolls.iter().find(is_it).map(|roll| &*roll.derived).ok_or_else(|| {
         let names: Vec<&str> = rolls.iter().map(|roll| roll.name.as_str()).collect();
-        let known = if names.is_empty() { "the document has none".to_owned() } else { names.join(", ") };
-        Diagnostic::error("no-such-roll", Place::Document, format!("There is no roll `{name}`; {known}."))
+        let known = if names.is_empty() {
+            "the document has none".to_owned()
+        } else {
+            format!("there are {}", names.join(", "))
+        };
+        Diagnostic::error("no-such-roll", Place::Document, format!("There is no roll \"{name}\"; {known}."))
     })
 }

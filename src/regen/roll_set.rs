@@ -252,29 +252,17 @@ fn of_the_roll(name: &str, all: &[Diagnostic]) -> Vec<Diagnostic> {
             _ => groups.push((said, vec![&said.at])),
         }
     }
-    let mut told: Vec<Diagnostic> = Vec::new();
+    let is_remark = |said: &Diagnostic| is_of_part(&said.at) && said.severity == Severity::Info;
+    let mut told: Vec<(&Diagnostic, Vec<Vec<&Place>>)> = Vec::new();
     for (said, places) in groups {
-        if !is_of_part(&said.at) {
-            told.push(said.clone());
-            continue;
-        }
-        let is_remark = said.severity == Severity::Info;
-        match told.iter_mut().find(|d| is_remark && d.severity == said.severity && d.code == said.code) {
-            Some(first) => also_at(first, &places),
-            None => told.push(renamed(name, said, &places)),
+        match told.iter_mut().find(|(first, _)| is_remark(first) && is_remark(said) && first.code == said.code) {
+            Some((_, all)) => all.push(places),
+            None => told.push((said, vec![places])),
         }
     }
-    told
-}
-
-/// Adds rows to a remark about others.
-fn also_at(first: &mut Diagnostic, places: &[&Place]) {
-    const ALSO: &str = " Also at ";
-    first.message = match first.message.strip_suffix('.') {
-        Some(begun) if begun.contains(ALSO) => format!("{begun}; {}.", named(places)),
-        _ => format!("{}{ALSO}{}.", first.message, named(places)),
-    };
-    first.related.extend(places.iter().map(|place| (*place).clone()));
+    told.into_iter()
+        .map(|(said, at)| if is_of_part(&said.at) { renamed(name, said, &at) } else { said.clone() })
+        .collect()
 }
 
 /// The names of rows that are neighbours.
@@ -287,11 +275,17 @@ const fn is_of_part(at: &Place) -> bool {
     !matches!(at, Place::Block { .. } | Place::Machine { .. } | Place::Tool { .. })
 }
 
-fn renamed(name: &str, said: &Diagnostic, places: &[&Place]) -> Diagnostic {
+/// What is said of one stretch of rows, and of further ones alike.
+fn renamed(name: &str, said: &Diagnostic, stretches: &[Vec<&Place>]) -> Diagnostic {
+    let mut names = stretches.iter().map(|places| named(places));
+    let first = names.next().unwrap_or_default();
+    let others = names.collect::<Vec<_>>().join("; ");
+    let also = if others.is_empty() { String::new() } else { format!(" Also at {others}.") };
+    let places = stretches.iter().flatten().map(|place| (*place).clone());
     Diagnostic {
         at: Place::Roll { name: name.to_owned() },
-        message: format!("{}: {}", named(places), said.message),
-        related: places.iter().map(|place| (*place).clone()).chain(said.related.iter().cloned()).collect(),
+        message: format!("{first}: {}{also}", said.message),
+        related: places.chain(said.related.iter().cloned()).collect(),
         ..said.clone()
     }
 }

@@ -14,7 +14,6 @@ use super::groove;
 use super::left::{self, Left};
 use super::link::{LEAN, go};
 use super::path::Path;
-use super::rest;
 use super::rough::Rough;
 use super::side::Side;
 use super::tool::{Cutter, Use};
@@ -60,6 +59,8 @@ pub(super) struct Order<'a> {
     task: &'a Task<'a>,
     /// Where operations begin and end whose tool has no place of its own; its radius is free everywhere.
     datum: Point,
+    /// Where tools are changed that have no place of their own, as the machine sees it.
+    rest: Point,
     /// Position of the control's zero.
     zero_z: f64,
     /// From where the work is cut.
@@ -80,6 +81,7 @@ impl<'a> Order<'a> {
             machine: task.machine,
             task,
             datum,
+            rest: datum,
             zero_z,
             side: Side::Outside,
             work: Work::new(task.setup, contour, task.machine),
@@ -151,7 +153,7 @@ impl<'a> Order<'a> {
         let change = of_machine.map(|place| Point::new(place.z_mm + self.zero_z, place.diameter_mm / 2.0));
         match self.side {
             Side::Outside => change,
-            Side::Inside { .. } => Some(self.side.point(change.unwrap_or_else(|| rest::place(self.task)))),
+            Side::Inside { .. } => Some(self.side.point(change.unwrap_or(self.rest))),
         }
     }
 

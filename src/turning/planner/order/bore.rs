@@ -115,6 +115,7 @@ impl<'a> Inside<'a> {
             machine: outside.machine,
             task: outside.task,
             datum: Point::new(outside.datum.z, bore.axis),
+            rest: outside.rest,
             zero_z: outside.zero_z,
             side,
             work: bore.work(setup, outside.machine, outside.work.end_z()),
