@@ -3,6 +3,7 @@
 
 use crate::support::planned::{bent, drawn, hundredths, is_named};
 use proptest::prelude::*;
+use proptest::sample::Index;
 use proptest::test_runner::TestRunner;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
@@ -113,24 +114,17 @@ fn turret(case: &Case) -> Vec<TurretTool> {
     if drawn.is_empty() { all[..1].to_vec() } else { drawn }
 }
 
-/// One to six tools of the whole table in stations from 1 on, drawn by the case's number of tools.
-fn turret_of_table(case: &Case) -> Vec<TurretTool> {
+/// A case, and tools of the whole table for it.
+fn case_with_tools() -> impl Strategy<Value = (Case, Vec<Index>)> {
+    (case(), proptest::collection::vec(any::<Index>(), 1..=MOST_TOOLS))
+}
+
+/// Tools of the whole table in stations from 1 on.
+fn turret_of(tools: &[Index]) -> Vec<TurretTool> {
     let table = Catalog::shipped().tools;
-    let mut state = u64::from(case.tools);
-    let mut below = |count: usize| {
-        // Multiplier and increment of Knuth's MMIX; the high bits are the random ones.
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        usize::try_from(state >> 33).unwrap() % count
-    };
-    let count = 1 + below(MOST_TOOLS);
-    let plain = |(station, tool): (u32, String)| TurretTool {
-        station,
-        tool,
-        offset: None,
-        change_z_mm: None,
-        change_diameter_mm: None,
-    };
-    let ids = (0..count).map(|_| table[below(table.len())].id.clone());
+    let ids = tools.iter().map(|tool| tool.get(&table).id.clone());
+    let plain =
+        |(station, tool)| TurretTool { station, tool, offset: None, change_z_mm: None, change_diameter_mm: None };
     (1..).zip(ids).map(plain).collect()
 }
 
@@ -259,35 +253,47 @@ fn is_refused(derived: &Derived) -> bool {
 }
 
 /// One part and one set of tools for every seed, so that a failing one is found again by its number.
-fn run(seeds: RangeInclusive<u64>, turret: fn(&Case) -> Vec<TurretTool>) {
+fn run<S: Strategy>(
+    seeds: RangeInclusive<u64>,
+    drawn_from: &S,
+    promises: impl Fn(S::Value) -> Result<(), TestCaseError>,
+) {
     for seed in seeds {
-        let ran = TestRunner::new(drawn(1, seed)).run(&case(), |case| promises_hold(&case, turret(&case)));
+        let ran = TestRunner::new(drawn(1, seed)).run(drawn_from, &promises);
         assert!(ran.is_ok(), "seed {seed}: {}", ran.unwrap_err());
     }
 }
 
+fn run_with_tools_that_are_there(seeds: RangeInclusive<u64>) {
+    run(seeds, &case(), |case| promises_hold(&case, turret(&case)));
+}
+
+fn run_with_tools_of_the_table(seeds: RangeInclusive<u64>) {
+    run(seeds, &case_with_tools(), |(case, tools)| promises_hold(&case, turret_of(&tools)));
+}
+
 #[test]
 fn random_parts_are_cut_with_the_tools_that_are_there() {
-    run(1..=300, turret);
+    run_with_tools_that_are_there(1..=300);
 }
 
 /// `cargo test --release --test engine planner_sets:: -- --ignored`
 #[test]
 #[ignore = "takes minutes; seeds 301 to 5300"]
 fn five_thousand_random_parts_are_cut_with_the_tools_that_are_there() {
-    run(301..=5300, turret);
+    run_with_tools_that_are_there(301..=5300);
 }
 
 #[test]
 fn random_parts_are_cut_with_tools_of_the_whole_table() {
-    run(1..=200, turret_of_table);
+    run_with_tools_of_the_table(1..=200);
 }
 
 /// `cargo test --release --test engine planner_sets:: -- --ignored`
 #[test]
 #[ignore = "takes minutes; seeds 201 to 5200"]
 fn five_thousand_random_parts_are_cut_with_tools_of_the_whole_table() {
-    run(201..=5200, turret_of_table);
+    run_with_tools_of_the_table(201..=5200);
 }
 
 /// A planned part of a bar of 26 mm.

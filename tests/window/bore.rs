@@ -20,8 +20,7 @@ fn the_bore_is_a_second_table_with_the_same_habits() {
     assert_eq!(window.session().selection.section, Some(5));
     window.keep_picture("bore-table");
     window.click("⌀ end of row 2: 42.000");
-    window.harness.event(Event::Text("1.5in".to_owned()));
-    window.harness.run_steps(2);
+    window.type_text("1.5in");
     window.harness.key_press(Key::Enter);
     window.harness.run_steps(3);
     assert_eq!(window.session().part().bore[1].d2, 38.1);

@@ -28,8 +28,7 @@ fn a_cell_is_edited_and_undone() {
     window.harness.key_press(Key::F2);
     window.harness.run_steps(3);
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    window.harness.event(Event::Text("1in-0.4".to_owned()));
-    window.harness.run_steps(2);
+    window.type_text("1in-0.4");
     window.harness.key_press(Key::Enter);
     window.harness.run_steps(3);
     assert_eq!(window.session().part().sections[0].d2, 25.0);
@@ -45,8 +44,7 @@ fn a_bad_cell_is_marked_and_changes_nothing() {
     let mut window = Window::open();
     window.open_example("QUEEN");
     window.click("z end of row 1: 2.000");
-    window.harness.event(Event::Text("2..1".to_owned()));
-    window.harness.run_steps(3);
+    window.type_text("2..1");
     window.harness.key_press(Key::Tab);
     window.harness.run_steps(3);
     assert_eq!(window.session().part().sections[0].z2, 2.0);
@@ -291,16 +289,6 @@ fn an_edit_that_was_never_saved_survives_a_crash() {
     assert!(next.session().has_unsaved_work());
 }
 
-fn type_text(window: &mut Window, text: &str) {
-    window.harness.event(Event::Text(text.to_owned()));
-    window.harness.run_steps(3);
-}
-
-fn press(window: &mut Window, key: Key) {
-    window.harness.key_press(key);
-    window.harness.run_steps(3);
-}
-
 #[test]
 fn row_segment_and_blocks_light_up_together() {
     let mut window = Window::open();
@@ -352,15 +340,15 @@ fn a_cell_takes_effect_while_it_is_typed() {
     let mut window = Window::open();
     window.open_example("QUEEN");
     window.click("⌀ end of row 1: 25.400");
-    type_text(&mut window, "24");
+    window.type_text("24");
     assert_eq!(window.session().part().sections[0].d2, 24.0);
-    type_text(&mut window, ".5");
+    window.type_text(".5");
     assert_eq!(window.session().part().sections[0].d2, 24.5);
-    type_text(&mut window, "+");
+    window.type_text("+");
     assert_eq!(window.session().part().sections[0].d2, 25.4, "a text that is no length leaves the old value");
-    type_text(&mut window, "0.5");
+    window.type_text("0.5");
     assert_eq!(window.session().part().sections[0].d2, 25.0);
-    press(&mut window, Key::Enter);
+    window.press(Modifiers::NONE, Key::Enter);
     assert_eq!(window.session().part().sections[0].d2, 25.0);
     assert_eq!(window.session().history().undo_label(), Some("⌀ end of line 1"));
     window.session().undo();
@@ -373,8 +361,8 @@ fn escape_puts_the_value_before_the_edit_back() {
     let mut window = Window::open();
     window.open_example("QUEEN");
     window.click("⌀ end of row 1: 25.400");
-    type_text(&mut window, "24");
-    press(&mut window, Key::Escape);
+    window.type_text("24");
+    window.press(Modifiers::NONE, Key::Escape);
     assert_eq!(window.session().part().sections[0].d2, 25.4);
     assert_eq!(window.session().history().undo_label(), None);
     assert!(window.harness.query_by_label("⌀ end of row 1: 25.400").is_some());
@@ -385,10 +373,10 @@ fn a_bad_text_after_a_good_one_leaves_the_value_before_the_edit() {
     let mut window = Window::open();
     window.open_example("QUEEN");
     window.click("z end of row 1: 2.000");
-    type_text(&mut window, "3");
+    window.type_text("3");
     assert_eq!(window.session().part().sections[0].z2, 3.0);
-    type_text(&mut window, "..1");
-    press(&mut window, Key::Tab);
+    window.type_text("..1");
+    window.press(Modifiers::NONE, Key::Tab);
     assert_eq!(window.session().part().sections[0].z2, 2.0);
     assert!(window.harness.query_by_label("z end of row 1: 3..1").is_some());
     assert_eq!(window.session().history().undo_label(), None);
@@ -399,21 +387,21 @@ fn fields_take_effect_while_they_are_typed() {
     let mut window = Window::open();
     window.open_example("QUEEN");
     window.click("Bar ⌀");
-    type_text(&mut window, "30");
+    window.type_text("30");
     assert_eq!(window.session().part().bar_diameter, 30.0);
-    type_text(&mut window, "+");
+    window.type_text("+");
     assert_eq!(window.session().part().bar_diameter, 26.2);
-    type_text(&mut window, "1");
+    window.type_text("1");
     assert_eq!(window.session().part().bar_diameter, 31.0);
-    press(&mut window, Key::Escape);
+    window.press(Modifiers::NONE, Key::Escape);
     assert_eq!(window.session().part().bar_diameter, 26.2);
     assert_eq!(window.session().history().undo_label(), None);
     window.click("Row 1");
     window.click("⌀ end");
-    type_text(&mut window, "2");
-    type_text(&mut window, "4");
+    window.type_text("2");
+    window.type_text("4");
     assert_eq!(window.session().part().sections[0].d2, 24.0);
-    press(&mut window, Key::Enter);
+    window.press(Modifiers::NONE, Key::Enter);
     assert_eq!(window.session().part().sections[0].d2, 24.0);
     window.session().undo();
     assert_eq!(window.session().part().sections[0].d2, 25.4);
@@ -446,8 +434,8 @@ fn programs_shown_and_received_are_saved_to_files() {
         let path = folder.path().join(name);
         window.harness.run_steps(3);
         window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
-        type_text(window, &path.display().to_string());
-        press(window, Key::Enter);
+        window.type_text(&path.display().to_string());
+        window.press(Modifiers::NONE, Key::Enter);
         let saved = path.clone();
         window.until("saved", move |_| saved.exists());
         std::fs::read_to_string(path).unwrap()

@@ -36,13 +36,6 @@ fn angle(window: &mut Window, station: usize, element: u32) -> f64 {
     angles_deg(&set(window), Stage::Station(station))[&element]
 }
 
-fn type_text(window: &mut Window, text: &str) {
-    window.harness.event(Event::Text(text.to_owned()));
-    window.harness.run_steps(2);
-    window.harness.key_press(Key::Enter);
-    window.harness.run_steps(3);
-}
-
 #[test]
 fn stages_are_picked_and_the_station_follows() {
     let mut window = published();
@@ -130,7 +123,8 @@ fn an_angle_is_typed_into_the_matrix() {
         .cloned()
         .unwrap_or_else(|| panic!("{label:?}"));
     window.click(&name);
-    type_text(&mut window, "-90");
+    window.type_text("-90");
+    window.press(Modifiers::NONE, Key::Enter);
     assert_eq!(angle(&mut window, 2, 20), -90.0);
 }
 

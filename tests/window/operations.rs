@@ -1,23 +1,13 @@
 //! The operations panel and the editors of data: what a person does, and what becomes of document and files.
 
 use crate::common::Window;
-use egui::{Event, Key, Modifiers};
+use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use turnwright::app::data::Kind;
 use turnwright::app::{Action, Surroundings};
 use turnwright::document::{Cycle, Generator, Instruction};
 use turnwright::machine::{Catalog, ToolShape};
 use turnwright::regen::Operations;
-
-fn type_text(window: &mut Window, text: &str) {
-    window.harness.event(Event::Text(text.to_owned()));
-    window.harness.run_steps(3);
-}
-
-fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
-    window.harness.key_press_modifiers(modifiers, key);
-    window.harness.run_steps(3);
-}
 
 fn click_part(window: &mut Window, part_of_name: &str) {
     window.harness.get_by_label_contains(part_of_name).click();
@@ -75,7 +65,7 @@ fn an_operation_lights_its_paths_blocks_and_rows() {
     assert_eq!(window.session().selection.operation, Some(index));
     assert_eq!(window.session().selection.block, Some(blocks[0].block));
     assert_eq!(window.session().lit().blocks, blocks, "a selected one stays lit");
-    press(&mut window, Modifiers::NONE, Key::ArrowUp);
+    window.press(Modifiers::NONE, Key::ArrowUp);
     assert!(window.session().selection.operation.is_some_and(|other| other < index));
     window.click("Row 3");
     assert_eq!(window.session().selection.operation, None, "a row takes its place");
@@ -102,10 +92,10 @@ fn instructions_are_edited_one_step_at_a_time() {
     window.click("↑");
     let cycles: Vec<Cycle> = instructions(&mut window).iter().map(|i| i.cycle).collect();
     assert_eq!(cycles, [Cycle::Finish, Cycle::Rough, Cycle::Finish]);
-    press(&mut window, Modifiers::ALT, Key::ArrowDown);
+    window.press(Modifiers::ALT, Key::ArrowDown);
     let cycles: Vec<Cycle> = instructions(&mut window).iter().map(|i| i.cycle).collect();
     assert_eq!(cycles, [Cycle::Rough, Cycle::Finish, Cycle::Finish]);
-    press(&mut window, Modifiers::COMMAND, Key::Delete);
+    window.press(Modifiers::COMMAND, Key::Delete);
     assert_eq!(instructions(&mut window).len(), 2);
     // The first move changed two equal neighbours: no step.
     for _ in 0..4 {
@@ -120,18 +110,18 @@ fn figures_of_an_instruction_take_effect_while_they_are_typed() {
     let mut window = instructed();
     click_part(&mut window, "Operation 1: Rough");
     window.click("Depth");
-    type_text(&mut window, "1/");
+    window.type_text("1/");
     assert_eq!(instructions(&mut window)[0].depth, 1.0);
-    type_text(&mut window, "8in");
+    window.type_text("8in");
     assert_eq!(instructions(&mut window)[0].depth, 3.175);
-    press(&mut window, Modifiers::NONE, Key::Enter);
+    window.press(Modifiers::NONE, Key::Enter);
     assert_eq!(window.session().history().undo_label(), Some("depth of operation 1"));
     window.session().undo();
     assert_eq!(instructions(&mut window)[0].depth, 1.0);
     window.harness.run_steps(3);
     window.click("To row");
-    type_text(&mut window, "99");
-    press(&mut window, Modifiers::NONE, Key::Tab);
+    window.type_text("99");
+    window.press(Modifiers::NONE, Key::Tab);
     let first = window.session().part().sections[0].id;
     assert_eq!(instructions(&mut window)[0].to, first, "there is no row 99");
 }
@@ -175,9 +165,9 @@ fn edit(window: &mut Window, kind: Kind, key: &str) {
 
 fn retype(window: &mut Window, field: &str, text: &str) {
     window.click(field);
-    press(window, Modifiers::COMMAND, Key::A);
-    type_text(window, text);
-    press(window, Modifiers::NONE, Key::Tab);
+    window.press(Modifiers::COMMAND, Key::A);
+    window.type_text(text);
+    window.press(Modifiers::NONE, Key::Tab);
 }
 
 #[test]

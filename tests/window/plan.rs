@@ -3,7 +3,7 @@
 //! `WINDOW_PICTURES=FOLDER cargo test --test window plan::` writes pictures to a folder.
 
 use crate::common::Window;
-use egui::{Event, Key, Modifiers};
+use egui::{Key, Modifiers};
 use turnwright::document::{OperationKind, PlanEdits};
 
 /// The bearing housing, planned.
@@ -70,8 +70,7 @@ fn figures_are_typed_and_given_back_to_the_planner() {
     let mut window = open();
     select(&mut window, OperationKind::RoughBore);
     window.click("Depth");
-    window.harness.event(Event::Text("0.6".to_owned()));
-    window.harness.run_steps(2);
+    window.type_text("0.6");
     window.harness.key_press(Key::Enter);
     window.harness.run_steps(3);
     assert_eq!(plan(&mut window).operations[0].depth, Some(0.6));

@@ -1,19 +1,15 @@
 //! The roll editor: choosing a corner in the plot, preparing a chamfer, making it and taking it back.
 
 use crate::common::Window;
-use egui::{Modifiers, PointerButton, Pos2, accesskit::Role, pos2, vec2};
+use egui::{Modifiers, PointerButton, Pos2, pos2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
-use turnwright::app::Action;
 use turnwright::document::{RollKind, RollRef};
-use turnwright::session::Session;
 
 /// The window with the published set, its station 1 shown in the roll editor.
 fn opened() -> Window {
     let mut window = Window::with_design_of("assets/examples/1470b.turn");
     window.session().select_roll(RollRef { station: 1, kind: RollKind::Top });
-    let ctx = window.harness.ctx.clone();
-    window.desk().act(&ctx, Action::ShowPane(turnwright::app::Pane::RollEditor));
-    window.harness.run_steps(4);
+    window.show(turnwright::app::Pane::RollEditor);
     window
 }
 
@@ -66,36 +62,28 @@ fn read_out(window: &mut Window, at: Pos2) -> (f64, f64) {
 
 /// Chooses another kind of edit.
 fn choose_tool(window: &mut Window, tool: &str) {
-    choose(window, "Edit", tool);
-}
-
-/// Chooses from a list.
-fn choose(window: &mut Window, list: &str, what: &str) {
-    window.harness.get_by_role_and_label(Role::ComboBox, list).click();
-    window.harness.run_steps(4);
-    window.harness.get_by_label(what).click();
-    window.harness.run_steps(4);
+    window.choose("Edit", tool);
 }
 
 #[test]
 fn a_roll_is_made_the_same_as_another_one_and_its_own_again() {
     let mut window = opened();
     let designed = |window: &mut Window, station: u32| {
-        window.until("designed", |desk| desk.session().is_some_and(Session::is_designed));
+        window.until_designed();
         let rolls = window.session().derived().unwrap().rolls.clone().unwrap();
         rolls.design.roll(RollRef { station, kind: RollKind::Top }).unwrap().elements.clone()
     };
     let own = designed(&mut window, 1);
     window.click("contour and material");
-    choose(&mut window, "Contour", "as 2T");
+    window.choose("Contour", "as 2T");
     let same = designed(&mut window, 1);
     assert_eq!(same, designed(&mut window, 2));
     assert_ne!(same, own);
-    choose(&mut window, "Contour", "as 2T, turned");
+    window.choose("Contour", "as 2T, turned");
     let turned = designed(&mut window, 1);
     assert_eq!(turned.len(), same.len());
     assert_ne!(turned, same, "its edits are not the same on both sides");
-    choose(&mut window, "Contour", "designed here");
+    window.choose("Contour", "designed here");
     assert_eq!(designed(&mut window, 1), own);
 }
 
@@ -112,11 +100,11 @@ fn edits_are_copied_once_and_a_roll_gets_a_material_of_its_own() {
     assert!(edits_of(&mut window, 1).is_empty() && !of_2.is_empty());
     window.click("contour and material");
     window.keep_picture("roll-editor-material");
-    choose(&mut window, "Copy edits", "from 2T");
+    window.choose("Copy edits", "from 2T");
     window.click("contour and material");
     window.harness.run_steps(3);
     assert_eq!(edits_of(&mut window, 1), of_2);
-    window.until("designed", |desk| desk.session().is_some_and(Session::is_designed));
+    window.until_designed();
     window.keep_picture("roll-editor-copied");
     // From then on every roll has its own.
     window.harness.query_all_by_label("remove").next().unwrap().click();
@@ -125,10 +113,10 @@ fn edits_are_copied_once_and_a_roll_gets_a_material_of_its_own() {
     window.session().undo();
     window.session().undo();
     assert!(edits_of(&mut window, 1).is_empty());
-    window.until("designed", |desk| desk.session().is_some_and(Session::is_designed));
+    window.until_designed();
     window.click("contour and material");
     window.harness.run_steps(3);
-    choose(&mut window, "Own material", "42crmo4");
+    window.choose("Own material", "42crmo4");
     let document = window.session().document().clone();
     let set = document.content.roll_set().unwrap();
     let material = |kind| set.material_of(RollRef { station: 1, kind }).to_owned();
@@ -209,7 +197,7 @@ fn a_corner_is_chosen_in_the_plot_and_chamfered() {
     // The section is symmetrical: the other side is kept alike, unless that is not wanted.
     for (sides, wanted) in [(2, 2), (1, 1)] {
         window.click("Apply");
-        window.until("designed", |desk| desk.session().is_some_and(Session::is_designed));
+        window.until_designed();
         assert_eq!(edits(&mut window), wanted);
         if sides == 2 {
             window.screenshot("rolls-editor-chamfered");
@@ -219,23 +207,11 @@ fn a_corner_is_chosen_in_the_plot_and_chamfered() {
             window.harness.run_steps(4);
         }
         assert_eq!(edits(&mut window), 0);
-        window.until("designed", |desk| desk.session().is_some_and(Session::is_designed));
+        window.until_designed();
         if sides == 2 {
             window.click("on both sides");
         }
     }
-}
-
-/// Types into a field, and leaves it.
-fn type_into(window: &mut Window, field: &str, text: &str) {
-    window.harness.get_by_role_and_label(Role::TextInput, field).click();
-    window.harness.run_steps(2);
-    window.harness.key_press_modifiers(Modifiers::COMMAND, egui::Key::A);
-    window.harness.run_steps(1);
-    window.harness.event(egui::Event::Text(text.to_owned()));
-    window.harness.run_steps(2);
-    window.harness.key_press(egui::Key::Tab);
-    window.harness.run_steps(3);
 }
 
 /// Fields and what is typed into them.
@@ -250,7 +226,7 @@ fn every_edit_is_made_by_typing_alone() {
         let turnwright::document::Content::RollSet(set) = &mut document.content else { panic!("a set") };
         set.rolls.clear();
     });
-    window.until("designed", |desk| desk.session().is_some_and(Session::is_designed));
+    window.until_designed();
     window.harness.run_steps(4);
     // Elements of the roll as designed: 1 left face, 2 outer spigot, 3 its step, 4 inner spigot ...
     let all: [(&str, &str, Figures); 10] = [
@@ -275,9 +251,9 @@ fn every_edit_is_made_by_typing_alone() {
     ];
     for (tool, element, figures) in all {
         choose_tool(&mut window, tool);
-        type_into(&mut window, "Element number", element);
+        window.type_into("Element number", element);
         for (field, text) in figures {
-            type_into(&mut window, field, text);
+            window.type_into(field, text);
         }
         let asked = window.harness.query_by_label("Click an element in the plot, or type its number.").is_some();
         assert!(!asked, "{tool}");
@@ -285,7 +261,7 @@ fn every_edit_is_made_by_typing_alone() {
         window.keep_picture(&format!("typed-{}", tool.replace(' ', "-")));
         let refused = window.harness.query_all_by_label_contains("do not meet").count();
         window.click("Apply");
-        window.until("designed", |desk| desk.session().is_some_and(Session::is_designed));
+        window.until_designed();
         let made = edits_of(&mut window, 2).len() - before;
         // The moved circle does not come near its neighbours, and the form says so; all others are made, most on both sides.
         if tool == "another circle, moved" {
@@ -295,7 +271,7 @@ fn every_edit_is_made_by_typing_alone() {
         }
         if made > 0 {
             window.session().undo();
-            window.until("designed", |desk| desk.session().is_some_and(Session::is_designed));
+            window.until_designed();
             window.harness.run_steps(3);
         }
     }

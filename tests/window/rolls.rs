@@ -72,9 +72,7 @@ fn edits_that_do_not_fit_keep_their_roll_from_the_lathe_and_no_other() {
 fn station_and_line_are_seen_in_the_round() {
     let mut window = Window::with_design_of("assets/examples/1470b.turn");
     window.session().select_roll(RollRef { station: 3, kind: RollKind::Top });
-    let ctx = window.harness.ctx.clone();
-    window.desk().act(&ctx, Action::ShowPane(turnwright::app::Pane::Solid));
-    window.harness.run_steps(4);
+    window.show(turnwright::app::Pane::Solid);
     let canvas = window.harness.get_by_label("Station in the round").rect();
     window.screenshot("rolls-3d-station");
     let seen = |window: &Window| window.picture().part(canvas);
@@ -105,9 +103,7 @@ fn small() -> Window {
 #[test]
 fn an_element_is_chosen_in_the_cross_section_and_told() {
     let mut window = Window::with_design_of("assets/examples/u-channel.turn");
-    let ctx = window.harness.ctx.clone();
-    window.desk().act(&ctx, Action::ShowPane(turnwright::app::Pane::CrossSection));
-    window.harness.run_steps(4);
+    window.show(turnwright::app::Pane::CrossSection);
     let canvas = window.harness.get_by_role_and_label(Role::Canvas, "Cross-section").rect();
     // The base of the channel is the lowest thing in the middle of the plot.
     let mut hit = false;

@@ -3,13 +3,7 @@
 use crate::common::Window;
 use egui::Theme;
 use egui_kittest::kittest::Queryable;
-use turnwright::app::{Action, Pane};
-
-fn show(window: &mut Window, pane: Pane) {
-    let ctx = window.harness.ctx.clone();
-    window.desk().act(&ctx, Action::ShowPane(pane));
-    window.harness.run_steps(4);
-}
+use turnwright::app::Pane;
 
 #[test]
 fn every_panel_of_a_set_is_drawn_in_the_dark() {
@@ -27,19 +21,19 @@ fn every_panel_of_a_set_is_drawn_in_the_dark() {
         (Pane::RollList, "list"),
         (Pane::Charts, "strain"),
     ] {
-        show(&mut window, pane);
+        window.show(pane);
         window.keep_picture(&format!("dark-{name}"));
     }
     for (choice, name) in [("Springback", "springback"), ("Section", "properties")] {
         window.click(choice);
         window.keep_picture(&format!("dark-{name}"));
     }
-    show(&mut window, Pane::Angles);
+    window.show(Pane::Angles);
     window.click("parts");
     window.click("+ Bend");
     window.harness.run_steps(4);
     window.keep_picture("dark-parts");
-    show(&mut window, Pane::Solid);
+    window.show(Pane::Solid);
     for (choice, name) in [("line", "line"), ("station", "station"), ("roll", "roll")] {
         if window.harness.query_by_label(choice).is_some() {
             window.click(choice);

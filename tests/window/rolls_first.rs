@@ -2,38 +2,16 @@
 
 use crate::common::Window;
 use egui::accesskit::Role;
-use egui::{Event, Key, Modifiers};
+use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
-use turnwright::app::{Action, Pane};
+use turnwright::app::Pane;
 use turnwright::diagnostic::Severity;
 use turnwright::document::{DevelopedWidth, Origin, RollSet};
 use turnwright::rollform::developed::developed;
-use turnwright::session::Session;
 use turnwright::units::Unit;
 
 fn set(window: &mut Window) -> RollSet {
     window.session().document().content.roll_set().unwrap().clone()
-}
-
-fn show(window: &mut Window, pane: Pane) {
-    let ctx = window.harness.ctx.clone();
-    window.desk().act(&ctx, Action::ShowPane(pane));
-    window.harness.run_steps(4);
-}
-
-fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
-    window.harness.key_press_modifiers(modifiers, key);
-    window.harness.run_steps(2);
-}
-
-/// Types a figure into a field.
-fn type_into(window: &mut Window, field: &str, text: &str) {
-    window.harness.get_by_role_and_label(Role::TextInput, field).click();
-    window.harness.run_steps(2);
-    press(window, Modifiers::COMMAND, Key::A);
-    window.harness.event(Event::Text(text.to_owned()));
-    window.harness.run_steps(2);
-    press(window, Modifiers::NONE, Key::Tab);
 }
 
 /// Types into a cell of a table that is named by how its label begins and ends.
@@ -42,27 +20,15 @@ fn type_into_cell(window: &mut Window, begin: &str, end: &str, text: &str) {
         window.harness.get_all_by_role(Role::Cell).filter_map(|n| n.accesskit_node().label()).collect();
     let name = labels.iter().find(|l| l.contains(begin) && l.ends_with(end)).unwrap_or_else(|| panic!("{labels:?}"));
     window.click(&name.clone());
-    window.harness.event(Event::Text(text.to_owned()));
-    window.harness.run_steps(2);
-    press(window, Modifiers::NONE, Key::Enter);
-}
-
-fn choose(window: &mut Window, list: &str, what: &str) {
-    window.harness.get_by_role_and_label(Role::ComboBox, list).click();
-    window.harness.run_steps(4);
-    window.harness.get_by_label(what).click();
-    window.harness.run_steps(4);
-}
-
-fn until_designed(window: &mut Window) {
-    window.until("designed", |desk| desk.session().is_some_and(Session::is_designed));
+    window.type_text(text);
+    window.press(Modifiers::NONE, Key::Enter);
 }
 
 fn new_set() -> Window {
     let mut window = Window::open();
     window.click("New roll set");
     window.until("opened", |desk| desk.session().is_some());
-    until_designed(&mut window);
+    window.until_designed();
     window
 }
 
@@ -73,10 +39,10 @@ fn from_nothing_to_a_channel_with_proved_rolls() {
     assert_eq!(window.session().rolls_proved(), Some((12, 12)), "what a new set begins with is sound");
     window.keep_picture("new-set");
     // A wider base, thicker strip, and a flower for it.
-    show(&mut window, Pane::Elements);
+    window.show(Pane::Elements);
     type_into_cell(&mut window, "1", ": 27.000", "35");
-    type_into(&mut window, "Thickness", "2");
-    until_designed(&mut window);
+    window.type_into("Thickness", "2");
+    window.until_designed();
     let section = set(&mut window).section;
     assert_eq!(section.thickness, 2.0);
     let openings: Vec<f64> = {
@@ -89,8 +55,8 @@ fn from_nothing_to_a_channel_with_proved_rolls() {
             .abs()
             < 1e-3
     );
-    show(&mut window, Pane::Flower);
-    show(&mut window, Pane::Angles);
+    window.show(Pane::Flower);
+    window.show(Pane::Angles);
     window.click("suggest");
     window.harness.run_steps(3);
     window.click("Make this flower");
@@ -105,24 +71,24 @@ fn from_nothing_to_a_channel_with_proved_rolls() {
 #[test]
 fn every_origin_and_method_can_be_chosen() {
     let mut window = new_set();
-    show(&mut window, Pane::Elements);
-    choose(&mut window, "Width by", "own k");
-    type_into(&mut window, "k", "0.4");
+    window.show(Pane::Elements);
+    window.choose("Width by", "own k");
+    window.type_into("k", "0.4");
     assert_eq!(set(&mut window).section.developed_width, DevelopedWidth::Own { k: 0.4 });
     window.keep_picture("own-k");
-    choose(&mut window, "Origin", "left to right");
-    type_into(&mut window, "First slope", "-15");
-    until_designed(&mut window);
+    window.choose("Origin", "left to right");
+    window.type_into("First slope", "-15");
+    window.until_designed();
     let section = set(&mut window).section;
     assert_eq!((section.origin, section.first_angle_deg), (Origin::LeftToRight, -15.0));
-    choose(&mut window, "Origin", "centre, right first");
-    until_designed(&mut window);
+    window.choose("Origin", "centre, right first");
+    window.until_designed();
     let said = |window: &mut Window| window.session().problems().iter().map(|d| d.code.clone()).collect::<Vec<_>>();
     let before = said(&mut window);
     assert!(!before.is_empty(), "the second list is missing, and that is said");
     window.click("other side");
     window.click("+ Add");
-    until_designed(&mut window);
+    window.until_designed();
     assert_eq!(set(&mut window).section.other_side.len(), 1);
     assert_ne!(said(&mut window), before);
     window.keep_picture("two-lists");
@@ -131,7 +97,7 @@ fn every_origin_and_method_can_be_chosen() {
 #[test]
 fn the_flower_is_played_sprung_back_and_the_clearance_coloured() {
     let mut window = Window::with_design_of("assets/examples/hat.turn");
-    show(&mut window, Pane::Flower);
+    window.show(Pane::Flower);
     window.click("Stage flat");
     let place = |window: &Window| {
         window.harness.get_by_label("Stage of the flower").accesskit_node().numeric_value().unwrap_or(f64::NAN)
@@ -151,7 +117,7 @@ fn the_flower_is_played_sprung_back_and_the_clearance_coloured() {
     window.harness.run_steps(3);
     assert!(window.picture().part(canvas) != before, "the strip after the rolls is drawn");
     window.keep_picture("flower-springback");
-    show(&mut window, Pane::Station);
+    window.show(Pane::Station);
     let before = window.picture();
     window.click("clearance");
     window.harness.remove_cursor();
@@ -181,6 +147,6 @@ fn a_set_changes_its_unit_and_stays_the_same() {
     let after = contours(&mut window);
     assert_eq!(before.len(), after.len());
     assert!(before.iter().zip(&after).all(|(a, b)| a.distance(*b) < 1e-6));
-    show(&mut window, Pane::StationData);
+    window.show(Pane::StationData);
     window.keep_picture("inches");
 }

@@ -2,11 +2,10 @@
 
 use crate::common::Window;
 use egui::accesskit::Role;
-use egui::{Event, Key, Modifiers};
+use egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
-use turnwright::app::{Action, Pane};
+use turnwright::app::Pane;
 use turnwright::document::Document;
-use turnwright::session::Session;
 
 /// What a person may type that makes no sense, and what is far too much or too little.
 const NONSENSE: [&str; 8] = ["ten", "", "NaN", "1e300", "-1", "0", "1/0", "99999999999999999999"];
@@ -19,25 +18,19 @@ fn texts(window: &Window, role: Role) -> Vec<String> {
     labels
 }
 
-fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
-    window.harness.key_press_modifiers(modifiers, key);
-    window.harness.run_steps(2);
-}
-
 /// Types into what has the keyboard, and leaves it.
 fn type_over(window: &mut Window, text: &str) {
-    press(window, Modifiers::COMMAND, Key::A);
-    press(window, Modifiers::NONE, Key::Delete);
+    window.press(Modifiers::COMMAND, Key::A);
+    window.press(Modifiers::NONE, Key::Delete);
     if !text.is_empty() {
-        window.harness.event(Event::Text(text.to_owned()));
-        window.harness.run_steps(2);
+        window.type_text(text);
     }
-    press(window, Modifiers::NONE, Key::Tab);
+    window.press(Modifiers::NONE, Key::Tab);
 }
 
 /// Waits for the design, and takes back what was changed.
 fn back_to(window: &mut Window, before: &Document) -> usize {
-    window.until("designed", |desk| desk.session().is_some_and(Session::is_designed));
+    window.until_designed();
     let said = window.session().problems().len();
     for _ in 0..4 {
         if window.session().document().as_ref() == before {
@@ -55,9 +48,7 @@ fn nonsense_in_any_field_is_survived_and_undone() {
     let before = window.session().document().as_ref().clone();
     let mut fields = 0;
     for pane in [Pane::Elements, Pane::StationData, Pane::RollEditor, Pane::RollList] {
-        let ctx = window.harness.ctx.clone();
-        window.desk().act(&ctx, Action::ShowPane(pane));
-        window.harness.run_steps(4);
+        window.show(pane);
         for (number, label) in texts(&window, Role::TextInput).into_iter().enumerate() {
             // Every text in every field takes long; the fields get them in turn.
             let text = NONSENSE[number % NONSENSE.len()];
@@ -67,7 +58,7 @@ fn nonsense_in_any_field_is_survived_and_undone() {
             node.click();
             window.harness.run_steps(2);
             type_over(&mut window, text);
-            press(&mut window, Modifiers::NONE, Key::Escape);
+            window.press(Modifiers::NONE, Key::Escape);
             back_to(&mut window, &before);
             fields += 1;
         }
@@ -80,9 +71,7 @@ fn nonsense_in_the_tables_is_marked_or_told_at_its_place() {
     let mut window = Window::with_one_station();
     let before = window.session().document().as_ref().clone();
     for pane in [Pane::Elements, Pane::Angles] {
-        let ctx = window.harness.ctx.clone();
-        window.desk().act(&ctx, Action::ShowPane(pane));
-        window.harness.run_steps(4);
+        window.show(pane);
     }
     let cells: Vec<String> = texts(&window, Role::Cell);
     let wanted = |name: &&String| {
@@ -94,17 +83,16 @@ fn nonsense_in_the_tables_is_marked_or_told_at_its_place() {
     for cell in cells {
         for text in ["ten", "1e300", "-1e300", "0", "NaN"] {
             window.click(cell);
-            window.harness.event(Event::Text(text.to_owned()));
-            window.harness.run_steps(2);
-            press(&mut window, Modifiers::NONE, Key::Enter);
+            window.type_text(text);
+            window.press(Modifiers::NONE, Key::Enter);
             told += usize::from(back_to(&mut window, &before) > 0);
             // A text that is no figure stays, marked, until it is taken back.
             if window.harness.query_by_label(cell).is_none() {
                 let start = format!("{}:", cell.rsplit_once(':').map_or(cell.as_str(), |(name, _)| name));
                 window.harness.get_by_label_contains(&start).click();
                 window.harness.run_steps(2);
-                press(&mut window, Modifiers::NONE, Key::F2);
-                press(&mut window, Modifiers::NONE, Key::Escape);
+                window.press(Modifiers::NONE, Key::F2);
+                window.press(Modifiers::NONE, Key::Escape);
                 window.harness.run_steps(3);
             }
             assert!(window.harness.query_by_label(cell).is_some(), "{cell} after {text}");

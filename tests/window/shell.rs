@@ -51,8 +51,7 @@ fn a_figure_is_typed_and_everything_follows() {
     let field = window.harness.get_by_label("Half angle");
     field.focus();
     window.harness.run_steps(2);
-    window.harness.event(egui::Event::Text("45".to_owned()));
-    window.harness.run_steps(2);
+    window.type_text("45");
     window.harness.key_press(Key::Enter);
     window.until_current();
     assert_eq!(half_angle(&mut window), 45.0);
@@ -68,8 +67,7 @@ fn type_into(window: &mut Window, name: &str, text: &str) {
     window.harness.run_steps(4);
     window.harness.get_by_label(name).focus();
     window.harness.run_steps(2);
-    window.harness.event(egui::Event::Text(text.to_owned()));
-    window.harness.run_steps(2);
+    window.type_text(text);
     window.harness.key_press(Key::Enter);
     window.until_current();
 }
@@ -348,8 +346,7 @@ mod at_a_port {
         let field = window.harness.get_by_label("Path of the rig's port");
         field.focus();
         window.harness.run_steps(2);
-        window.harness.event(egui::Event::Text(port.to_owned()));
-        window.harness.run_steps(2);
+        window.type_text(port);
         window.harness.key_press(Key::Enter);
         window.harness.run_steps(4);
     }
@@ -424,8 +421,7 @@ fn the_program_of_a_shell_is_edited_by_hand_and_reverted() {
     let field = window.harness.get_by_label("Text of CONE");
     field.focus();
     window.harness.run_steps(2);
-    window.harness.event(egui::Event::Text("G1 X10 Z-20 F0.1\n".to_owned()));
-    window.harness.run_steps(2);
+    window.type_text("G1 X10 Z-20 F0.1\n");
     window.until_current();
     let made = window.session().derived().and_then(|d| d.shell.clone()).expect("a shell");
     assert!(made.programs[0].edited && !made.proof.passed);

@@ -5,6 +5,8 @@
 
 pub mod raster;
 
+use egui::accesskit::Role;
+use egui::{Event, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use raster::{Picture, Raster, Textures};
@@ -12,7 +14,7 @@ use std::cell::RefCell;
 use std::path::Path;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
-use turnwright::app::{Action, Desk, Surroundings};
+use turnwright::app::{Action, Desk, Pane, Surroundings};
 use turnwright::document::Content;
 use turnwright::session::Session;
 use turnwright::storage;
@@ -85,6 +87,42 @@ impl Window {
         self.harness.run_steps(2);
     }
 
+    /// Brings a panel to the front.
+    pub fn show(&mut self, pane: Pane) {
+        let ctx = self.harness.ctx.clone();
+        self.desk().act(&ctx, Action::ShowPane(pane));
+        self.harness.run_steps(4);
+    }
+
+    /// Presses a key.
+    pub fn press(&mut self, modifiers: Modifiers, key: Key) {
+        self.harness.key_press_modifiers(modifiers, key);
+        self.harness.run_steps(3);
+    }
+
+    /// Types a text to whatever has the keyboard.
+    pub fn type_text(&mut self, text: &str) {
+        self.harness.event(Event::Text(text.to_owned()));
+        self.harness.run_steps(3);
+    }
+
+    /// Types into a field of a form in the place of what it holds, and leaves it.
+    pub fn type_into(&mut self, field: &str, text: &str) {
+        self.harness.get_by_role_and_label(Role::TextInput, field).click();
+        self.harness.run_steps(2);
+        self.press(Modifiers::COMMAND, Key::A);
+        self.type_text(text);
+        self.press(Modifiers::NONE, Key::Tab);
+    }
+
+    /// Chooses from a list.
+    pub fn choose(&mut self, list: &str, what: &str) {
+        self.harness.get_by_role_and_label(Role::ComboBox, list).click();
+        self.harness.run_steps(4);
+        self.harness.get_by_label(what).click();
+        self.harness.run_steps(4);
+    }
+
     /// Opens an example and waits until it is regenerated.
     pub fn open_example(&mut self, name: &str) {
         let card = format!("Open {name}");
@@ -129,7 +167,7 @@ impl Window {
         let ctx = self.harness.ctx.clone();
         self.desk().act(&ctx, Action::Open(path));
         self.until("opened", |desk| desk.session().is_some());
-        self.until("designed", |desk| desk.session().is_some_and(Session::is_designed));
+        self.until_designed();
         self
     }
 
@@ -140,6 +178,11 @@ impl Window {
         if let Some(folder) = std::env::var_os("WINDOW_PICTURES") {
             picture.save(&Path::new(&folder).join(format!("{name}.png")));
         }
+    }
+
+    /// Waits until the stations are designed, though rolls may be in the making.
+    pub fn until_designed(&mut self) {
+        self.until("designed", |desk| desk.session().is_some_and(Session::is_designed));
     }
 
     /// Waits until what is drawn belongs to the document as it is.
