@@ -9,7 +9,6 @@ mod envelope;
 mod holding;
 mod outside;
 mod profile;
-mod reach;
 mod rules;
 mod section;
 mod section_row;
@@ -18,16 +17,14 @@ mod setups;
 mod shape;
 mod split;
 mod stock;
-mod sweep;
 mod thread;
 
 #[cfg(test)]
-mod fixtures;
+pub(crate) mod fixtures;
 
 pub use biarc::contour;
 pub use check::check;
 pub use profile::{Curve, Parabola, ParabolaAxis, PartContour, Piece, PieceRole, Profile};
-pub use reach::{IGNORED_HEIGHT_MM, UnreachableArea, unreachable};
 pub use section::{STARTS, Section, SectionKind};
 pub use setup::Setup;
 pub use setups::{PART_OFF_WIDTH_MM, setups};

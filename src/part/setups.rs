@@ -475,7 +475,7 @@ mod tests {
                 }
                 for setup in made(&part).0 {
                     assert_sound(&setup);
-                    let areas = crate::part::unreachable(&setup, &TOOLS, &fixtures::orac());
+                    let areas = crate::turning::unreachable(&setup, &TOOLS, &fixtures::orac());
                     assert!(areas.iter().flat_map(|area| &area.outline).all(|p| p.is_finite()));
                 }
             }

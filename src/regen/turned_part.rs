@@ -95,7 +95,7 @@ fn regenerate_setup(
     let (unreachable, proved) = rayon::join(
         || {
             reach.get((Arc::clone(setup), Arc::clone(&context.tools)), |(setup, tools)| {
-                part::unreachable(setup, tools, &context.machine)
+                turning::unreachable(setup, tools, &context.machine)
             })
         },
         || prove_setup(context, &name, setup, shape, program, cancel),

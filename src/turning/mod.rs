@@ -12,6 +12,7 @@ use crate::document::{Generator, TurnedPart};
 use crate::machine::{Dialect, Machine, Material, ToolOutline};
 use crate::part::Setup;
 pub use cutter_path::{Cut, CutMove, CutterPath, Feed, Operation, OperationKind, Speed};
+pub use planner::{UnreachableArea, unreachable};
 pub use recipe::{FinishRecipe, Recipe, RecipeKind, RoughRecipe, Side, ThreadRecipe};
 use std::collections::BTreeMap;
 

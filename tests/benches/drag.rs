@@ -76,11 +76,13 @@ fn stages(c: &mut Criterion) {
     c.bench_function("stage/contour", |b| {
         b.iter(|| part::contour(black_box(&item.setup.profile), regen::CONTOUR_TOLERANCE_MM));
     });
-    c.bench_function("stage/unreachable", |b| b.iter(|| part::unreachable(black_box(&item.setup), &tools, &machine)));
+    c.bench_function("stage/unreachable", |b| {
+        b.iter(|| turning::unreachable(black_box(&item.setup), &tools, &machine))
+    });
     let today = catalog.machine("fanuc-0i").expect("the machine is shipped");
     let todays_tools = machine::outlines(today, &catalog);
     c.bench_function("stage/unreachable with ISO holders", |b| {
-        b.iter(|| part::unreachable(black_box(&item.setup), &todays_tools, today));
+        b.iter(|| turning::unreachable(black_box(&item.setup), &todays_tools, today));
     });
     c.bench_function("stage/paths", |b| {
         b.iter(|| turning::published::generate(black_box(&item.setup), part_mm, &machine, &material));

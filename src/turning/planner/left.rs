@@ -8,7 +8,7 @@ use crate::part::PartContour;
 use std::collections::BTreeMap;
 
 /// Less than this is not spoken of, mm: what a drawing calls a sharp corner.
-const SPOKEN_OF_MM: f64 = 0.02;
+pub(super) const SPOKEN_OF_MM: f64 = 0.02;
 
 /// Places looked at along what of a segment of the contour lies under one stretch of stock.
 const PLACES: u32 = 16;
@@ -27,23 +27,29 @@ pub(super) struct Left {
 /// The rows of `contour` on which stock is left, with the largest height of each, in order of ids.
 pub(super) fn measure(work: &Work, contour: &PartContour) -> Vec<Left> {
     let mut rows: BTreeMap<u32, Left> = BTreeMap::new();
-    let (segments, ids) = (&contour.contour.segments, &contour.sections);
     for run in work.stock.clipped(work.from_z, f64::INFINITY).runs_over(&work.part, SPOKEN_OF_MM) {
         let stock = work.stock.clipped(run.z0, run.z1);
-        let first = segments.partition_point(|s| s.end().z < run.z0 - SAME_MM);
-        let here = segments.iter().zip(ids).skip(first).take_while(|(s, _)| s.start().z <= run.z1 + SAME_MM);
-        for (segment, &section) in here {
-            for at in places(segment, &run) {
-                let open = (work.end_z() - at.z).max(0.0);
-                let height = height_over(&stock, Point::new(at.z.clamp(run.z0, run.z1), at.r)).min(open);
-                let row = rows.entry(section).or_insert(Left { section, height, at });
-                if height > row.height {
-                    *row = Left { section, height, at };
-                }
+        for (section, at) in places_under(&run, contour) {
+            let height = height_over(&stock, at).min(work.end_z() - at.z);
+            let row = rows.entry(section).or_insert(Left { section, height, at });
+            if height > row.height {
+                *row = Left { section, height, at };
             }
         }
     }
     rows.into_values().filter(|left| left.height > SPOKEN_OF_MM).collect()
+}
+
+/// Places along the contour under a stretch, each with the id of its row, in order of z.
+pub(super) fn places_under(run: &Run, contour: &PartContour) -> impl Iterator<Item = (u32, Point)> {
+    let (segments, run) = (&contour.contour.segments, *run);
+    let first = segments.partition_point(|s| s.end().z < run.z0 - SAME_MM);
+    let here = segments.iter().zip(&contour.sections).skip(first);
+    let here = here.take_while(move |(s, _)| s.start().z <= run.z1 + SAME_MM);
+    here.flat_map(move |(segment, &section)| {
+        let clamped = move |p: Point| Point::new(p.z.clamp(run.z0, run.z1), p.r);
+        places(segment, &run).into_iter().map(move |p| (section, clamped(p)))
+    })
 }
 
 /// Places along what of a segment lies within a stretch; a face stands at its end, up to rounding.
@@ -59,7 +65,7 @@ fn places(segment: &Segment, run: &Run) -> Vec<Point> {
 }
 
 /// Distance of a point under the stock's surface from it, mm; 0 in the open.
-fn height_over(stock: &Chain, p: Point) -> f64 {
+pub(super) fn height_over(stock: &Chain, p: Point) -> f64 {
     let Some(above) = stock.at(p.z).map(|r| r - p.r).filter(|above| *above > 0.0) else { return 0.0 };
     let near: Vec<_> = stock.over(p.z - above, p.z + above).collect();
     let along = near.iter().map(|piece| piece.towards_chuck().distance_to(p));

@@ -16,7 +16,7 @@
 //! | `rough`, `follow`, `groove`, `thread` | one kind of operation each |
 //! | `side` | a bore seen as an outside |
 //! | `recipes`, `rough_recipe` | contours for controls that compensate the nose, or rough by a cycle of their own |
-//! | `left` | what no tool could reach |
+//! | `left`, `reach` | what no tool could reach; what every tool cannot |
 //! | `conditions`, `hand`, `order` | feeds, speeds, depths; which tool does what, and when |
 //! | `order/face`, `order/drill`, `order/bore`, `order/part_off` | facing of the free end; the bore; parting off |
 //! | `order/steps` | the order of operations as planned and as changed by the user |
@@ -38,6 +38,7 @@ mod order;
 mod outline;
 mod path;
 mod piece;
+mod reach;
 mod recipes;
 mod rest;
 mod rolling;
@@ -54,6 +55,7 @@ use super::{CutterPath, Task};
 use crate::diagnostic::Diagnostic;
 use crate::machine::ZeroEnd;
 use crate::part;
+pub use reach::{UnreachableArea, unreachable};
 
 /// How far arcs may leave a parabola of the contour in a planned path, mm.
 const PARABOLA_TOLERANCE_MM: f64 = 0.002;

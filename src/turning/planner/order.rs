@@ -312,7 +312,7 @@ impl<'a> Order<'a> {
 }
 
 /// A tool as it is planned: where both directions may be cut, one that cuts away from the headstock is seen from the other end.
-fn cutter(station: u32, outline: &ToolOutline, setup: &Setup) -> Option<Cutter> {
+pub(super) fn cutter(station: u32, outline: &ToolOutline, setup: &Setup) -> Option<Cutter> {
     if setup.may_cut_both_ways() && !outline.cuts_towards_headstock() && outline.cuts_away_from_headstock() {
         Cutter::turned(station, outline)
     } else {

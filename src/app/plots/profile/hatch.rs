@@ -3,7 +3,7 @@
 use super::draw::on_screen;
 use super::{Frame, ProfileScene};
 use crate::app::plots::lines::{DASHED, dashed, faded};
-use crate::part::UnreachableArea;
+use crate::turning::UnreachableArea;
 use egui::{Painter, Pos2, Rect, Shape, Stroke};
 
 /// Distance of hatch lines, points.
