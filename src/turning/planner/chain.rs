@@ -1,12 +1,9 @@
 //! A function of z made of lines and arcs, with jumps and gaps: surfaces, limits of tools, remaining stock.
 
-use super::piece::{Piece, SAME_MM};
-
-/// Values nearer than this are equal when the larger of two functions is sought, mm: what rounding makes of one value.
-pub(super) const EQUAL_MM: f64 = 1e-10;
+use super::piece::{EQUAL_MM, Lie, Piece, SAME_MM};
 
 /// Stretches that are narrower than this are no place for a tool, mm: far below any control's smallest step.
-const PIT_MM: f64 = 1e-6;
+pub(super) const PIT_MM: f64 = 1e-6;
 
 /// Pieces in order of z; neighbours may differ in value (a face) and may have a gap between them (no value there).
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -42,21 +39,26 @@ impl Chain {
         }
     }
 
-    fn push_part(&mut self, piece: &Piece, z0: f64, z1: f64) {
+    /// Adds what of a piece lies between two positions.
+    pub(super) fn push_part(&mut self, piece: &Piece, z0: f64, z1: f64) {
         if z1 - z0 > SAME_MM {
             self.push(Piece { z0, z1, form: piece.form });
         }
     }
 
     /// The pieces that reach into a stretch.
-    pub(super) fn over(&self, z0: f64, z1: f64) -> impl Iterator<Item = &Piece> {
+    pub(super) fn over(&self, z0: f64, z1: f64) -> &[Piece] {
         let first = self.pieces.partition_point(|p| p.z1 <= z0);
-        self.pieces.iter().skip(first).take_while(move |p| p.z0 < z1)
+        let behind = self.pieces.get(first..).unwrap_or_default();
+        behind.get(..behind.partition_point(|p| p.z0 < z1)).unwrap_or_default()
     }
 
     /// The part between two positions.
     pub(super) fn clipped(&self, z0: f64, z1: f64) -> Self {
-        Self { pieces: self.over(z0, z1).filter_map(|p| p.clipped(z0, z1)).collect() }
+        let over = self.over(z0, z1);
+        let mut pieces = Vec::with_capacity(over.len());
+        pieces.extend(over.iter().filter_map(|p| p.clipped(z0, z1)));
+        Self { pieces }
     }
 
     /// The larger value at `z` of the pieces that end or begin there; `None` in a gap.
@@ -66,20 +68,16 @@ impl Chain {
         here.map(|p| p.at(z)).reduce(f64::max)
     }
 
-    /// Smallest value anywhere; +∞ without any.
-    pub(super) fn lowest(&self) -> f64 {
-        self.pieces.iter().map(Piece::lowest).fold(f64::INFINITY, f64::min)
-    }
-
     /// Largest value in a stretch; −∞ in a gap.
     pub(super) fn highest(&self, z0: f64, z1: f64) -> f64 {
-        let inside = self.over(z0, z1).filter_map(|p| p.clipped(z0, z1)).map(|p| p.highest());
+        let inside = self.over(z0, z1).iter().filter_map(|p| p.clipped(z0, z1)).map(|p| p.highest());
         inside.fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// The function with its sign turned.
-    pub(super) fn negated(&self) -> Self {
-        Self { pieces: self.pieces.iter().map(Piece::negated).collect() }
+    pub(super) fn negated(mut self) -> Self {
+        self.pieces.iter_mut().for_each(|p| *p = p.negated());
+        self
     }
 
     /// The function with z turned round.
@@ -186,13 +184,18 @@ impl Chain {
         if z1 - z0 <= SAME_MM {
             return;
         }
-        let (f, g) = (Piece { z0, z1, ..*f }, Piece { z0, z1, ..*g });
-        let mut from = z0;
-        for to in f.meets(&g).iter().chain([z1]) {
-            let middle = f64::midpoint(from, to);
-            let chosen = if better(f.at(middle), g.at(middle)) { &g } else { &f };
-            self.push_part(chosen, from, to);
-            from = to;
+        let chosen = |f_at: f64, g_at: f64| if better(f_at, g_at) { g } else { f };
+        match f.against(g, z0, z1) {
+            Lie::Above => self.push_part(chosen(1.0, 0.0), z0, z1),
+            Lie::Below => self.push_part(chosen(0.0, 1.0), z0, z1),
+            Lie::Near(meeting) => {
+                let mut from = z0;
+                for to in meeting.iter().chain([z1]) {
+                    let middle = f64::midpoint(from, to);
+                    self.push_part(chosen(f.at(middle), g.at(middle)), from, to);
+                    from = to;
+                }
+            }
         }
     }
 
@@ -223,10 +226,14 @@ impl Chain {
             ) else {
                 break;
             };
+            if pit.z1 - pit.z0 > PIT_MM {
+                k += 1;
+                continue;
+            }
             let bottom = pit.at(f64::midpoint(pit.z0, pit.z1));
             let left = before.filter(|b| pit.z0 - b.z1 <= SAME_MM).map(|b| b.at(b.z1)).filter(|r| *r > bottom);
             let right = after.filter(|a| a.z0 - pit.z1 <= SAME_MM).map(|a| a.at(a.z0)).filter(|r| *r > bottom);
-            if pit.z1 - pit.z0 > PIT_MM || (left.is_none() && right.is_none()) {
+            if left.is_none() && right.is_none() {
                 k += 1;
                 continue;
             }
@@ -275,7 +282,7 @@ impl Chain {
     pub(super) fn area_over(&self, other: &Self) -> f64 {
         let runs = self.runs_over(other, EQUAL_MM);
         let area = |chain: &Self, run: &Run| -> f64 {
-            chain.over(run.z0, run.z1).filter_map(|p| p.clipped(run.z0, run.z1)).map(|p| p.area()).sum()
+            chain.over(run.z0, run.z1).iter().filter_map(|p| p.clipped(run.z0, run.z1)).map(|p| p.area()).sum()
         };
         let (Some(first), Some(last)) = (other.pieces.first(), other.pieces.last()) else { return 0.0 };
         let inside = runs.iter().map(|r| Run { z0: r.z0.max(first.z0), z1: r.z1.min(last.z1) });
@@ -331,8 +338,13 @@ impl Chain {
 
 fn over_by(f: &Piece, g: &Piece, by: f64, runs: &mut Vec<Run>) {
     let raised = g.raised(by);
+    let meeting = match f.against(&raised, f.z0, f.z1) {
+        Lie::Above => return join(runs, Run { z0: f.z0, z1: f.z1 }),
+        Lie::Below => return,
+        Lie::Near(meeting) => meeting,
+    };
     let mut from = f.z0;
-    for to in f.meets(&raised).iter().chain([f.z1]) {
+    for to in meeting.iter().chain([f.z1]) {
         let middle = f64::midpoint(from, to);
         if f.at(middle) > raised.at(middle) {
             join(runs, Run { z0: from, z1: to });

@@ -8,15 +8,15 @@
 //! one put further on the right is, once it is the higher one, the higher one for good; so the limit is made like a stack, piece by
 //! piece along the surface, and what a piece hides of those before it is taken off the end ([`Front`]): nobody looks at two pieces
 //! that are far apart. What a further stretch, of a holder mostly, cannot lift above what the stretches before it gave is not even
-//! rolled along ([`Lows`]). Ways and strokes say where they look and above which height, and what cannot reach there is left out
-//! ([`Shape::over_within`]).
+//! rolled along ([`Lows`]). Ways and strokes say where they look and above which height ([`Shape::over_within`]), passes above which
+//! limit ([`Shape::over_floor`]), and what cannot reach there is left out.
 //!
 //! A surface without overhang is met from above by the lower side of insert and holder only, and a point that the lower side
 //! keeps clear of is clear of the whole tool; so functions of z say all.
 
-use super::chain::{Chain, EQUAL_MM};
+use super::chain::Chain;
 use super::lows::Lows;
-use super::piece::{Piece, SAME_MM};
+use super::piece::{EQUAL_MM, Lie, Piece, SAME_MM};
 use super::rolling::{Way, Window};
 use super::shape::{Concave, Shape};
 use crate::geometry::Point;
@@ -33,19 +33,32 @@ impl Shape {
     /// The same for who looks only between two positions and above a height: what cannot reach there is not rolled along. Where
     /// that is all there may be a lower value, or none.
     pub(super) fn over_within(&self, surface: &Chain, z0: f64, z1: f64, above: f64) -> Chain {
-        self.rolled_along(surface, Window { z0: z0 - BESIDE_MM, z1: z1 + BESIDE_MM }, above).without_pits()
+        let window = Window { z0: z0 - BESIDE_MM, z1: z1 + BESIDE_MM };
+        self.rolled_along(self.reached(surface, window), window, above, None).without_pits()
+    }
+
+    /// The same between two positions for who looks only where it is above `floor`, which has values from one to the other.
+    pub(super) fn over_floor(&self, surface: &Chain, z0: f64, z1: f64, floor: &Chain) -> Chain {
+        let window = Window { z0, z1 };
+        self.rolled_along(self.reached(surface, window), window, f64::NEG_INFINITY, Some(floor)).without_pits()
+    }
+
+    /// The largest of the shape's boundary put on every point of a piece.
+    pub(super) fn over_piece(&self, piece: &Piece) -> Chain {
+        self.rolled_along(std::slice::from_ref(piece), Window::ALL, f64::NEG_INFINITY, None).without_pits()
     }
 
     /// The same everywhere, with the pits that rounding leaves.
     pub(super) fn over_all(&self, surface: &Chain) -> Chain {
-        self.rolled_along(surface, Window::ALL, f64::NEG_INFINITY)
+        self.rolled_along(&surface.pieces, Window::ALL, f64::NEG_INFINITY, None)
     }
 
-    fn rolled_along(&self, surface: &Chain, window: Window, above: f64) -> Chain {
-        let ways: Vec<Way> = self.reached(surface, window).map(Way::of).collect();
+    fn rolled_along(&self, surface: &[Piece], window: Window, above: f64, floor: Option<&Chain>) -> Chain {
+        let ways: Vec<Way> = surface.iter().map(Way::of).collect();
         let mut limit = Chain::default();
         for part in &self.parts {
-            let front = part.over(&ways, window, above, Lows::of(&limit));
+            let lows = floor.or(Some(&limit).filter(|limit| !limit.pieces.is_empty())).map(Lows::of);
+            let front = part.over(&ways, window, above, lows);
             if limit.pieces.is_empty() {
                 limit = front;
             } else if !front.pieces.is_empty() {
@@ -56,7 +69,7 @@ impl Shape {
     }
 
     /// The pieces on which the shape reaches into a window.
-    fn reached<'a>(&self, surface: &'a Chain, window: Window) -> impl Iterator<Item = &'a Piece> {
+    fn reached<'a>(&self, surface: &'a Chain, window: Window) -> &'a [Piece] {
         let (z0, z1) = self
             .parts
             .iter()
@@ -72,24 +85,28 @@ impl Shape {
 
 impl Concave {
     /// The stretch rolled along what it reaches from, but for what cannot rise above `lows`.
-    fn over(&self, ways: &[Way], window: Window, above: f64, mut lows: Lows) -> Chain {
-        let mut front = Front::default();
-        let mut rolled = Vec::with_capacity(self.edges.len() + 2);
+    fn over(&self, ways: &[Way], window: Window, above: f64, mut lows: Option<Lows>) -> Chain {
+        let most = self.edges.len() + 2;
+        let (mut front, mut rolled) = (Front::with_capacity(ways.len() + most, most), Vec::with_capacity(most));
+        let mut before: Option<&Way> = None;
         for way in ways {
             let (z0, z1) = (way.z0() + self.z0(), way.z1() + self.z1());
             let top = way.top + self.top;
-            if top > above && z0 < window.z1 && z1 > window.z0 && top > lows.least(z0.max(window.z0), z1.min(window.z1))
-            {
-                self.roll(way, window, &mut rolled);
+            let mut rises = || {
+                let lowest = lows.as_mut().map(|lows| lows.least(z0.max(window.z0), z1.min(window.z1)));
+                lowest.is_none_or(|lowest| top > lowest)
+            };
+            if top > above && z0 < window.z1 && z1 > window.z0 && rises() {
+                self.roll(way, before.is_some_and(|b| b.leads_to(way)), window, &mut rolled);
                 front.add(&rolled);
             }
+            before = Some(way);
         }
         front.chain
     }
 }
 
 /// The limit as it grows to the right.
-#[derive(Default)]
 struct Front {
     chain: Chain,
     /// What is put on its end next, the right one first.
@@ -97,9 +114,18 @@ struct Front {
 }
 
 impl Front {
+    /// Nothing yet; room for so many pieces, and for so many that are put on the end at once.
+    fn with_capacity(pieces: usize, at_once: usize) -> Self {
+        Self { chain: Chain { pieces: Vec::with_capacity(pieces) }, tail: Vec::with_capacity(at_once) }
+    }
+
     /// The larger of what there is and of what ends behind it and stays above it wherever it has once risen above it.
     fn add(&mut self, rolled: &[Piece]) {
         let Some(end) = rolled.last().map(|p| p.z1) else { return };
+        if self.chain.pieces.is_empty() {
+            rolled.iter().for_each(|p| self.chain.push_part(p, p.z0, p.z1));
+            return;
+        }
         if self.chain.pieces.last().is_some_and(|last| last.z1 > end + SAME_MM) {
             self.chain = self.chain.max(&Chain { pieces: rolled.to_vec() });
             return;
@@ -157,11 +183,15 @@ fn shown_from(piece: &Piece, other: &Piece, from: f64, to: f64) -> f64 {
     if to - from <= SAME_MM {
         return from;
     }
-    let (f, g) = (Piece { z0: from, z1: to, ..*other }, Piece { z0: from, z1: to, ..*piece });
+    let meeting = match piece.against(other, from, to) {
+        Lie::Above => return from,
+        Lie::Below => return to,
+        Lie::Near(meeting) => meeting,
+    };
     let mut shown = to;
-    for low in f.meets(&g).iter().rev().chain([from]) {
+    for low in meeting.iter().rev().chain([from]) {
         let middle = f64::midpoint(low, shown);
-        if g.at(middle) <= f.at(middle) + EQUAL_MM {
+        if piece.at(middle) <= other.at(middle) + EQUAL_MM {
             break;
         }
         shown = low;
@@ -178,35 +208,33 @@ mod tests {
     use crate::machine::Catalog;
     use proptest::prelude::*;
 
-    /// Points on a surface of random lines and arcs, and the surface.
+    /// A surface of random lines and arcs, with and without faces between them.
     fn surface() -> impl Strategy<Value = Chain> {
-        proptest::collection::vec((0.3..4.0_f64, 1.0..9.0_f64, 1.0..9.0_f64, 0..3_u8, 1.0..3.0_f64), 1..7).prop_map(
-            |rows| {
-                let mut z = 0.0;
-                let mut pieces = Vec::new();
-                for (width, r1, r2, kind, bend) in rows {
-                    let (a, b) = (Point::new(z, r1), Point::new(z + width, r2));
-                    z += width;
-                    let chord = a.distance(b);
-                    let radius = chord * bend;
-                    let height =
-                        (radius * radius - chord * chord / 4.0).sqrt() * if kind == 1 { 1.0 } else { -1.0 } / chord;
-                    let along = b - a;
-                    let center = Point::new(
-                        f64::midpoint(a.z, b.z) - along.y * height,
-                        f64::midpoint(a.r, b.r) + along.x * height,
-                    );
-                    let upper = kind == 2;
-                    let monotone = if upper { center.r <= r1.min(r2) } else { center.r >= r1.max(r2) };
-                    pieces.push(if kind == 0 || !monotone {
-                        Piece::line(a, b)
-                    } else {
-                        Piece { z0: a.z, z1: b.z, form: Form::Arc { center, radius, upper } }
-                    });
-                }
-                Chain { pieces }
-            },
-        )
+        let row = (0.3..4.0_f64, 1.0..9.0_f64, 1.0..9.0_f64, 0..3_u8, 1.0..3.0_f64, any::<bool>());
+        proptest::collection::vec(row, 1..7).prop_map(|rows| {
+            let mut z = 0.0;
+            let mut pieces: Vec<Piece> = Vec::new();
+            for (width, r1, r2, kind, bend, goes_on) in rows {
+                let r1 = pieces.last().filter(|_| goes_on).map_or(r1, |last| last.right().r);
+                let (a, b) = (Point::new(z, r1), Point::new(z + width, r2));
+                z += width;
+                let chord = a.distance(b);
+                let radius = chord * bend;
+                let height =
+                    (radius * radius - chord * chord / 4.0).sqrt() * if kind == 1 { 1.0 } else { -1.0 } / chord;
+                let along = b - a;
+                let center =
+                    Point::new(f64::midpoint(a.z, b.z) - along.y * height, f64::midpoint(a.r, b.r) + along.x * height);
+                let upper = kind == 2;
+                let monotone = if upper { center.r <= r1.min(r2) } else { center.r >= r1.max(r2) };
+                pieces.push(if kind == 0 || !monotone {
+                    Piece::line(a, b)
+                } else {
+                    Piece { z0: a.z, z1: b.z, form: Form::Arc { center, radius, upper } }
+                });
+            }
+            Chain { pieces }
+        })
     }
 
     fn shapes() -> Vec<Shape> {
@@ -246,6 +274,22 @@ mod tests {
                     prop_assert!(sampled <= limit + 1e-9, "at {at}: {sampled} above {limit}");
                     prop_assert!(limit <= sampled + 0.02, "at {at}: {limit} far above {sampled}");
                 }
+            }
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn what_is_above_a_floor_is_as_without_it(
+            surface in surface(), which in 0..5_usize, heights in (1.0..9.0_f64, 1.0..9.0_f64), window in (0.0..9.0_f64, 0.1..9.0_f64),
+        ) {
+            let (shape, (z0, z1)) = (&shapes()[which], (window.0, window.0 + window.1));
+            let floor = Chain { pieces: vec![Piece::line(Point::new(z0, heights.0), Point::new(z1, heights.1))] };
+            let (all, above) = (shape.over(&surface), shape.over_floor(&surface, z0, z1, &floor));
+            for k in 0..50 {
+                let z = z0 + (z1 - z0) * (f64::from(k) + 0.5) / 50.0;
+                let over = |chain: &Chain| chain.at(z).unwrap_or(f64::NEG_INFINITY).max(floor.at(z).unwrap());
+                prop_assert!((over(&all) - over(&above)).abs() < 1e-9, "at {z}: {} {}", over(&all), over(&above));
             }
         }
     }

@@ -76,7 +76,7 @@ impl Follow<'_> {
         for _ in 0..MOST_RAISES {
             let low = raised.as_ref().unwrap_or(chain);
             let left = stock.min(&Work::left_by(&self.cutter.cutting, low)).clipped(first.z0, last.z1);
-            let needed = self.cutter.guard.over_within(&left, *z0, *z1, low.lowest()).clipped(*z0, *z1);
+            let needed = self.cutter.guard.over_floor(&left, *z0, *z1, low);
             if needed.runs_over(low, RAISED_MM).is_empty() {
                 break;
             }
@@ -110,8 +110,10 @@ impl Follow<'_> {
 
     /// A pass that would begin beyond a wall begins on the wall.
     fn begun_at_the_wall(&self, cut_to: f64, z1: f64) -> f64 {
-        let pieces: Vec<_> = self.limit.chain.over(cut_to - SAME_MM, z1).collect();
-        let wall = pieces
+        let wall = self
+            .limit
+            .chain
+            .over(cut_to - SAME_MM, z1)
             .windows(2)
             .find(|w| w[1].left().r - w[0].right().r > self.cutter.nose && w[0].z1 >= cut_to - SAME_MM);
         wall.map_or(z1, |w| w[0].z1)

@@ -49,9 +49,10 @@ impl Lead {
     /// The stretches of a side that are not behind an edge; a curved one in its parts.
     fn uncovered(&self, side: &Segment) -> Vec<(Point, Point)> {
         let at = |k: u32| side.point_at(f64::from(k) / f64::from(PARTS));
+        let places: Vec<(Point, bool)> = (0..=PARTS).map(at).map(|p| (p, self.covers(p))).collect();
         let mut runs: Vec<(Point, Point)> = Vec::new();
-        for (a, b) in (0..PARTS).map(|k| (at(k), at(k + 1))) {
-            if self.covers(a) && self.covers(b) {
+        for (&(a, before), &(b, behind)) in places.iter().zip(places.iter().skip(1)) {
+            if before && behind {
                 continue;
             }
             match runs.last_mut() {

@@ -3,12 +3,13 @@
 use super::piece::SAME_MM;
 use super::tool::Cutter;
 use std::cmp::Ordering;
+use std::sync::Arc;
 
 /// Corner angle that stands for a disc, radians: stronger than 35° inserts, weaker than 55° ones.
 const DISC_CORNER: f64 = 45.0 / 180.0 * std::f64::consts::PI;
 
 /// The tools in the order of their strength for cuts of `depth` mm: square shoulders, high edges, wide corners, large noses.
-pub(super) fn roughing(tools: &[Cutter], depth: f64) -> Vec<Cutter> {
+pub(super) fn roughing(tools: &[Arc<Cutter>], depth: f64) -> Vec<Arc<Cutter>> {
     ranked(tools, |a, b| {
         let deep = |c: &Cutter| c.reach > depth;
         let order = b.square.cmp(&a.square).then(deep(b).cmp(&deep(a)));
@@ -17,12 +18,12 @@ pub(super) fn roughing(tools: &[Cutter], depth: f64) -> Vec<Cutter> {
 }
 
 /// The tools in the order of their fineness: square shoulders, small noses, slim corners.
-pub(super) fn finishing(tools: &[Cutter]) -> Vec<Cutter> {
+pub(super) fn finishing(tools: &[Arc<Cutter>]) -> Vec<Arc<Cutter>> {
     ranked(tools, |a, b| b.square.cmp(&a.square).then(apart(a.nose, b.nose)).then(apart(corner(a), corner(b))))
 }
 
 /// In order; equal ones by station.
-fn ranked(tools: &[Cutter], order: impl Fn(&Cutter, &Cutter) -> Ordering) -> Vec<Cutter> {
+fn ranked(tools: &[Arc<Cutter>], order: impl Fn(&Cutter, &Cutter) -> Ordering) -> Vec<Arc<Cutter>> {
     let mut ranked = tools.to_vec();
     ranked.sort_by(|a, b| order(a, b).then(a.station.cmp(&b.station)));
     ranked
@@ -45,9 +46,9 @@ mod tests {
     fn the_rolls_tools_rough_and_finish_as_their_names_say() {
         let catalog = Catalog::shipped();
         let names = ["6t-button-5", "6t-rough-55-right", "6t-rough-35-right", "6t-finish-35-right", "6t-copy-70"];
-        let tools: Vec<Cutter> =
-            (1..).zip(names).filter_map(|(k, id)| Cutter::new(k, &catalog.tool(id)?.outline())).collect();
-        let stations = |tools: Vec<Cutter>| tools.iter().map(|c| c.station).collect::<Vec<_>>();
+        let made = |(k, id)| Some(Arc::new(Cutter::new(k, &catalog.tool(id)?.outline())?));
+        let tools: Vec<Arc<Cutter>> = (1..).zip(names).filter_map(made).collect();
+        let stations = |tools: Vec<Arc<Cutter>>| tools.iter().map(|c| c.station).collect::<Vec<_>>();
         assert_eq!(stations(roughing(&tools, 3.0)), [2, 3, 4, 1, 5]);
         assert_eq!(stations(finishing(&tools))[0], 4);
     }

@@ -67,7 +67,7 @@ fn places(segment: &Segment, run: &Run) -> Vec<Point> {
 /// Distance of a point under the stock's surface from it, mm; 0 in the open.
 pub(super) fn height_over(stock: &Chain, p: Point) -> f64 {
     let Some(above) = stock.at(p.z).map(|r| r - p.r).filter(|above| *above > 0.0) else { return 0.0 };
-    let near: Vec<_> = stock.over(p.z - above, p.z + above).collect();
+    let near = stock.over(p.z - above, p.z + above);
     let along = near.iter().map(|piece| piece.towards_chuck().distance_to(p));
     let faces = near.windows(2).map(|w| Segment::line(w[0].right(), w[1].left()).distance_to(p));
     along.chain(faces).fold(above, f64::min)

@@ -34,12 +34,13 @@ pub(super) fn go(path: &mut Path<'_>, to: Point) {
     let from = path.at;
     let (low, high) = (from.z.min(to.z), from.z.max(to.z));
     let lean = LEAN * (path.ceiling - from.r).max(0.0);
-    let air = path.air(low - BESIDE_MM, high + lean + BESIDE_MM, from.r.min(to.r) - BESIDE_MM);
-    let here = LazyCell::new(|| {
-        let hanging = path.has_hanging(low - BESIDE_MM, high + lean + BESIDE_MM);
-        hanging.then(|| path.air_here(low - BESIDE_MM, high + lean + BESIDE_MM, from.r.min(to.r) - BESIDE_MM))
-    });
-    let leaves = |to: Point| leaves(path, to, &air) || here.as_ref().is_some_and(|here| leaves(path, to, here));
+    let (z0, z1, above) = (low - BESIDE_MM, high + path.lean(lean) + BESIDE_MM, from.r.min(to.r) - BESIDE_MM);
+    let air = path.air(z0, z1, above);
+    let here = LazyCell::new(|| path.air_here(z0, z1, above));
+    let leaves = |to: Point| {
+        let hanging = || path.has_hanging(from.z.min(to.z) - BESIDE_MM, from.z.max(to.z) + BESIDE_MM);
+        leaves(path, to, &air) || (hanging() && leaves(path, to, &here))
+    };
     let found = ways(from, to, &air, lean, path.taper).into_iter().find(|way| all_clear(path, way, &air, leaves));
     let Some(way) = found else {
         return over_everything(path, to, &air);

@@ -82,8 +82,8 @@ mod tests {
             for (on, width) in steps {
                 from += on;
                 to = to.max(from + width);
-                let covered: f64 = chain.over(from, to).filter_map(|p| p.clipped(from, to)).map(|p| p.z1 - p.z0).sum();
-                let least = chain.over(from, to).map(Piece::lowest).fold(f64::INFINITY, f64::min);
+                let covered: f64 = chain.over(from, to).iter().filter_map(|p| p.clipped(from, to)).map(|p| p.z1 - p.z0).sum();
+                let least = chain.over(from, to).iter().map(Piece::lowest).fold(f64::INFINITY, f64::min);
                 let expected = if covered < to - from - 1e-6 { f64::NEG_INFINITY } else { least };
                 prop_assert_eq!(lows.least(from, to), expected);
             }

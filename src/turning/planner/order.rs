@@ -8,6 +8,7 @@ mod steps;
 mod thread_passes;
 mod threads;
 
+use super::chain::PIT_MM;
 use super::conditions::Conditions;
 use super::follow::Follow;
 use super::groove;
@@ -25,6 +26,7 @@ use crate::geometry::Point;
 use crate::machine::{Machine, ToolOutline};
 use crate::part::{PartContour, Setup};
 use crate::turning::{Operation, OperationKind, Task};
+use std::sync::Arc;
 
 /// Share of the depth of cut above which steps that roughing leaves are cut away along the contour before finishing.
 const CLEANED_SHARE: f64 = 0.4;
@@ -67,7 +69,7 @@ pub(super) struct Order<'a> {
     side: Side,
     work: Work,
     rules: ArcRules,
-    cutters: Vec<Cutter>,
+    cutters: Vec<Arc<Cutter>>,
     /// What the user changed of the operation that is planned.
     edit: Option<OperationEdit>,
     operations: Vec<Operation>,
@@ -86,7 +88,11 @@ impl<'a> Order<'a> {
             side: Side::Outside,
             work: Work::new(task.setup, contour, task.machine),
             rules: ArcRules::from(&task.machine.limits),
-            cutters: task.tools.iter().filter_map(|(&station, outline)| cutter(station, outline, task.setup)).collect(),
+            cutters: task
+                .tools
+                .iter()
+                .filter_map(|(&k, outline)| cutter(k, outline, task.setup).map(Arc::new))
+                .collect(),
             edit: None,
             operations: Vec::new(),
             diagnostics: Vec::new(),
@@ -168,16 +174,21 @@ impl<'a> Order<'a> {
         let left_handed = cutter.turned || cutter.r#use == Use::Left;
         let kind = if left_handed { OperationKind::RoughLeft } else { OperationKind::RoughRight };
         let Some(conditions) = self.conditions(kind, cutter.station) else { return };
-        let work = self.work.seen_by(cutter);
-        let limit = work.limit(cutter, conditions.allowance);
         let share =
             if self.machine.limits.blocks_per_program < SCARCE_BLOCKS { CLEANED_SHARE_SPARING } else { CLEANED_SHARE };
         let depth = conditions.depth.min(cutter.reach - EDGE_KEPT_MM);
         let worth = share * depth;
         // Another tool of a hand is taken only for what is too thick to be finished.
         let least = if self.operations.iter().any(|o| o.kind == kind) { depth } else { worth };
-        let touch = cutter.insert.over(&work.stock).clipped(limit.z0, limit.z1);
-        if depth <= 0.0 || touch.runs_over(&limit.chain, least).is_empty() {
+        let work = self.work.seen_by(cutter);
+        let kept = work.kept(conditions.allowance);
+        if depth <= 0.0 || !work.has_above(&kept, least) {
+            return;
+        }
+        let limit = work.limit_over(cutter, &kept);
+        let touch = cutter.insert.over_floor(&work.stock, limit.z0, limit.z1, &limit.chain);
+        let thick = touch.runs_over(&limit.chain, least);
+        if thick.iter().all(|run| run.width() <= PIT_MM) {
             return;
         }
         let rolled = cutter.nose + conditions.allowance;
@@ -196,7 +207,11 @@ impl<'a> Order<'a> {
     fn finish(&mut self, cutter: &Cutter, worth: f64) {
         let left_handed = cutter.turned || cutter.r#use == Use::Left;
         let kind = if left_handed { OperationKind::FinishLeft } else { OperationKind::FinishRight };
-        let Some(conditions) = self.conditions(kind, cutter.station) else { return };
+        let Some(conditions) =
+            self.conditions(kind, cutter.station).filter(|_| self.work.has_above(&self.work.part, worth))
+        else {
+            return;
+        };
         let mut path = self.path(&conditions, cutter);
         self.follow(&mut path, cutter, worth);
         self.add(kind, cutter, path);
@@ -299,7 +314,7 @@ impl<'a> Order<'a> {
 
     /// True if something is left on a surface, and no tool is there that follows one.
     fn lacks_turning(&self) -> bool {
-        let turns = |c: &Cutter| matches!(c.r#use, Use::Right | Use::Left);
+        let turns = |c: &Arc<Cutter>| matches!(c.r#use, Use::Right | Use::Left);
         self.diagnostics.iter().any(|d| d.code == "not-reached") && !self.cutters.iter().any(turns)
     }
 

@@ -2,10 +2,10 @@
 
 use super::chain::{Chain, Run};
 use super::conditions::Conditions;
-use super::link::{CLEARANCE_MM, go};
+use super::link::{CLEARANCE_MM, LEAN, go};
 use super::piece::{Piece, SAME_MM};
 use super::shape::Shape;
-use super::tool::Cutter;
+use super::tool::{Cutter, HOLDER_CLEARANCE_MM};
 use super::trace::one_direction;
 use super::work::{AIR_MM, Work, covered_along, left_along};
 use crate::geometry::{Bounds, Point, Segment};
@@ -230,7 +230,7 @@ impl<'a> Path<'a> {
     fn meets(&self, segment: &Segment) -> bool {
         let bounds = segment.bounds();
         let (z0, z1) = self.window(bounds.min.z, bounds.max.z);
-        self.work.cover.over(z0, z1).any(|p| p.highest() > bounds.min.r + self.cutter.low)
+        self.work.cover.over(z0, z1).iter().any(|p| p.highest() > bounds.min.r + self.cutter.low)
     }
 
     /// What lies within reach of the tool while its programmed point is between two positions.
@@ -249,6 +249,14 @@ impl<'a> Path<'a> {
     /// counts, and where that is nothing there is no value.
     pub(super) fn air(&self, z0: f64, z1: f64, above: f64) -> Chain {
         self.air_over(&self.work.cover, (z0, z1), above)
+    }
+
+    /// How far a tool that leans away from a wall on its way out, by `furthest` mm at most, does so before it is above all that is in
+    /// the machine, mm.
+    pub(super) fn lean(&self, furthest: f64) -> f64 {
+        let (z0, z1) = self.window(self.at.z, self.at.z + furthest);
+        let over = self.work.highest.max(self.work.passed.highest(z0, z1)) - self.cutter.low + HOLDER_CLEARANCE_MM;
+        furthest.min(LEAN * (over + CLEARANCE_MM - self.at.r).max(0.0))
     }
 
     /// True if something hangs over within reach of the tool between two positions.
@@ -286,7 +294,7 @@ impl<'a> Path<'a> {
         let (from, to) = self.window(bounds.min.z, bounds.max.z);
         let (guarded, reach) = (self.cutter.guard_low, self.cutter.ahead_low);
         let floor = bounds.min.r + guarded.min(reach);
-        if !self.work.cover.over(from, to).any(|p| p.highest() > floor) {
+        if !self.work.cover.over(from, to).iter().any(|p| p.highest() > floor) {
             return None;
         }
         let mut stock = self.work.cover.clipped(from, to);
@@ -313,14 +321,18 @@ fn run_into(shape: &Shape, stock: &Chain, way: &Piece, above: f64, extent: (f64,
     if near.pieces.is_empty() {
         return None;
     }
-    let needed = shape.over_within(&near, way.z0, way.z1, way.lowest()).clipped(way.z0, way.z1);
-    needed.runs_over(&Chain { pieces: vec![*way] }, TOUCH_MM).pop()
+    let floor = Chain { pieces: vec![*way] };
+    let needed = shape.over_floor(&near, way.z0, way.z1, &floor);
+    needed.runs_over(&floor, TOUCH_MM).pop()
 }
 
 /// The pieces between two positions that are anywhere above a height.
 fn higher(chain: &Chain, z0: f64, z1: f64, above: f64) -> Chain {
-    let near = chain.over(z0, z1).filter_map(|p| p.clipped(z0, z1));
-    Chain { pieces: near.filter(|p| p.highest() > above + SAME_MM).collect() }
+    let over = chain.over(z0, z1);
+    let mut pieces = Vec::with_capacity(over.len());
+    let near = over.iter().filter_map(|p| p.clipped(z0, z1));
+    pieces.extend(near.filter(|p| p.highest() > above + SAME_MM));
+    Chain { pieces }
 }
 
 /// A move seen from the other end of the machine.

@@ -5,6 +5,9 @@ use crate::geometry::{Point, Segment};
 /// Positions nearer than this are the same place, mm: far below any control's 0.001 and far above rounding noise.
 pub(super) const SAME_MM: f64 = 1e-9;
 
+/// Values nearer than this are equal when the larger of two functions is sought, mm: what rounding makes of one value.
+pub(super) const EQUAL_MM: f64 = 1e-10;
+
 /// A radius over `z0..=z1`, mm. Clipping keeps the supporting line or circle, so no error builds up.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Piece {
@@ -147,27 +150,41 @@ impl Piece {
         }
     }
 
-    /// True if one stays above the other between two positions, by what their ends and bends tell: where the difference bends
-    /// downwards only, it is nowhere less than at its ends.
-    fn is_apart(&self, other: &Self, z0: f64, z1: f64) -> bool {
+    /// How this piece lies to another one over a stretch that both cover. Where the difference of the two bends downwards only, it
+    /// is nowhere less than at its ends.
+    pub(super) fn against(&self, other: &Self, z0: f64, z1: f64) -> Lie {
         let bends = |piece: &Self| match piece.form {
             Form::Line { .. } => (true, true),
             Form::Arc { upper, .. } => (upper, !upper),
         };
         let ((down, up), (other_down, other_up)) = (bends(self), bends(other));
-        let by = |z: f64| self.at(z) - other.at(z);
-        (down && other_up && by(z0) > 0.0 && by(z1) > 0.0) || (up && other_down && by(z0) < 0.0 && by(z1) < 0.0)
+        let by = [self.at(z0) - other.at(z0), self.at(z1) - other.at(z1)];
+        if down && other_up && by[0] > EQUAL_MM && by[1] > EQUAL_MM {
+            return Lie::Above;
+        }
+        if up && other_down && by[0] < -EQUAL_MM && by[1] < -EQUAL_MM {
+            return Lie::Below;
+        }
+        Lie::Near(self.meeting(other, z0, z1, by))
     }
 
     /// Positions strictly inside both pieces where they meet, at most two, in order.
     pub(super) fn meets(&self, other: &Self) -> Meeting {
         let (z0, z1) = (self.z0.max(other.z0), self.z1.min(other.z1));
-        let (low, high) = (z0 + SAME_MM, z1 - SAME_MM);
-        if low >= high || self.is_apart(other, z0, z1) {
+        if z0 + SAME_MM >= z1 - SAME_MM {
             return Meeting::default();
         }
+        match self.against(other, z0, z1) {
+            Lie::Above | Lie::Below => Meeting::default(),
+            Lie::Near(meeting) => meeting,
+        }
+    }
+
+    /// Positions strictly between two where the pieces meet, of which this one lies so far above the other there.
+    fn meeting(&self, other: &Self, z0: f64, z1: f64, by: [f64; 2]) -> Meeting {
+        let (low, high) = (z0 + SAME_MM, z1 - SAME_MM);
         let mut found = match (self.form, other.form) {
-            (Form::Line { p: a, q: b }, Form::Line { p: c, q: d }) => lines(a, b, c, d),
+            (Form::Line { .. }, Form::Line { .. }) => Meeting::one(z0 + (z1 - z0) * (by[0] / (by[0] - by[1]))),
             (Form::Line { p, q }, Form::Arc { center, radius, upper })
             | (Form::Arc { center, radius, upper }, Form::Line { p, q }) => line_and_half(p, q, center, radius, upper),
             (Form::Arc { center: a, radius: ra, upper: ua }, Form::Arc { center: b, radius: rb, upper: ub }) => {
@@ -179,6 +196,17 @@ impl Piece {
     }
 }
 
+/// How one piece lies to another.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Lie {
+    /// Above it all along, by more than [`EQUAL_MM`].
+    Above,
+    /// Below it all along, by more than [`EQUAL_MM`].
+    Below,
+    /// Neither for certain; they meet there.
+    Near(Meeting),
+}
+
 /// Up to two positions in order.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Meeting {
@@ -187,6 +215,11 @@ pub(super) struct Meeting {
 }
 
 impl Meeting {
+    /// A position, if it is one.
+    fn one(z: f64) -> Self {
+        Self { places: [z, 0.0], count: usize::from(z.is_finite()) }
+    }
+
     fn push(&mut self, z: f64) {
         if let Some(place) = self.places.get_mut(self.count).filter(|_| z.is_finite()) {
             *place = z;
@@ -207,16 +240,6 @@ impl Meeting {
     pub(super) fn iter(&self) -> impl DoubleEndedIterator<Item = f64> + use<> {
         self.places.into_iter().take(self.count)
     }
-}
-
-fn lines(a: Point, b: Point, c: Point, d: Point) -> Meeting {
-    let (m, n) = ((b.r - a.r) / (b.z - a.z), (d.r - c.r) / (d.z - c.z));
-    let mut found = Meeting::default();
-    if m != n {
-        // From the first line's point, so that far-away origins cost no digits.
-        found.push(a.z + (c.r + n * (a.z - c.z) - a.r) / (m - n));
-    }
-    found
 }
 
 fn line_and_half(p: Point, q: Point, center: Point, radius: f64, upper: bool) -> Meeting {

@@ -54,6 +54,11 @@ impl Way {
         self.piece.z1
     }
 
+    /// True if the next piece begins where this one ends.
+    pub(super) fn leads_to(&self, next: &Self) -> bool {
+        self.right.distance(next.left) <= SAME_MM
+    }
+
     /// Where the body's reference point is while it touches an arc at the place that faces so; of a line it is not asked.
     fn touching(&self, facing: Facing) -> Point {
         match self.piece.form {
@@ -71,11 +76,12 @@ impl Window {
 }
 
 impl Concave {
-    /// Writes the sum of this stretch with a piece of a surface, as far as it is wanted.
-    pub(super) fn roll(&self, way: &Way, window: Window, out: &mut Vec<Piece>) {
+    /// Writes the sum of this stretch with a piece of a surface, as far as it is wanted; of a hollow that `goes_on` from a piece
+    /// before it without what that gives: the stretch on the place where the two meet.
+    pub(super) fn roll(&self, way: &Way, goes_on: bool, window: Window, out: &mut Vec<Piece>) {
         out.clear();
         if let Form::Arc { center, radius, upper: false } = way.piece.form {
-            self.roll_in_hollow(way, window, (center, radius), out);
+            self.roll_in_hollow(way, goes_on, window, (center, radius), out);
             return;
         }
         let mut sum = Sum { way, window, walked: false, out };
@@ -92,10 +98,19 @@ impl Concave {
     }
 
     /// In a hollow the ends hold the body off; between them only roundings of a smaller radius and sharp corners touch.
-    fn roll_in_hollow(&self, way: &Way, window: Window, (center, radius): (Point, f64), out: &mut Vec<Piece>) {
-        let ends = self.put_on(way.left, window).max(&self.put_on(way.right, window));
+    fn roll_in_hollow(
+        &self,
+        way: &Way,
+        goes_on: bool,
+        window: Window,
+        (center, radius): (Point, f64),
+        out: &mut Vec<Piece>,
+    ) {
+        let mut over = self.put_on(way.right, window);
+        if !goes_on {
+            over = self.put_on(way.left, window).max(&over);
+        }
         let mut before = Facing::LEFT;
-        let mut over = ends;
         let mut touch = |from: Facing, to: Facing, rounding: f64, middle: Point| {
             let (low, high) = (way.first.further_left(to), way.last.further_right(from));
             let left = radius - rounding;

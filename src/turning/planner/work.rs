@@ -1,8 +1,8 @@
 //! The work in the machine: the contour to be kept, the jaws, and the stock that is left.
 
-use super::chain::Chain;
+use super::chain::{Chain, PIT_MM};
 use super::hanging::Hanging;
-use super::outline::{Turn, upper_pieces};
+use super::outline::{Turn, one_way, upper_pieces};
 use super::piece::Piece;
 use super::shape::Shape;
 use super::tool::{Cutter, Use};
@@ -43,6 +43,8 @@ pub(super) struct Work {
     pub(super) jaws: Chain,
     /// The same with the distance kept on ways through air.
     pub(super) passed: Chain,
+    /// No stock is above this, mm.
+    pub(super) highest: f64,
     /// Machined from here.
     pub(super) from_z: f64,
     /// Free end of the finished part.
@@ -81,6 +83,7 @@ impl Work {
         Self {
             part,
             cover: stock.clone(),
+            highest: stock.highest(f64::NEG_INFINITY, f64::INFINITY),
             hanging: Hanging::default(),
             stock,
             jaws: Shape::disc(JAW_CLEARANCE_MM).over(held),
@@ -101,6 +104,7 @@ impl Work {
             hanging: self.hanging.mirrored(),
             jaws: self.jaws.mirrored(),
             passed: self.passed.mirrored(),
+            highest: self.highest,
             from_z: -self.face_z,
             face_z: -self.from_z,
             floor: self.floor,
@@ -124,6 +128,11 @@ impl Work {
         self.stock.highest(z0, z1)
     }
 
+    /// True if there is stock more than `by` mm above what is kept; what is beside it counts.
+    pub(super) fn has_above(&self, kept: &Chain, by: f64) -> bool {
+        self.stock.runs_over(kept, by).iter().any(|run| run.width() > PIT_MM)
+    }
+
     /// Position of the stock's free end.
     pub(super) fn end_z(&self) -> f64 {
         self.stock.pieces.last().map_or(self.face_z, |p| p.z1)
@@ -131,7 +140,16 @@ impl Work {
 
     /// How low a tool may go if `allowance` mm are left on the contour.
     pub(super) fn limit(&self, cutter: &Cutter, allowance: f64) -> Limit {
-        let kept = if allowance > 0.0 { Shape::disc(allowance).over(&self.part) } else { self.part.clone() };
+        self.limit_over(cutter, &self.kept(allowance))
+    }
+
+    /// The contour with what is left on it, mm.
+    pub(super) fn kept(&self, allowance: f64) -> Chain {
+        if allowance > 0.0 { Shape::disc(allowance).over(&self.part) } else { self.part.clone() }
+    }
+
+    /// How low a tool may go over what is kept of the part.
+    pub(super) fn limit_over(&self, cutter: &Cutter, kept: &Chain) -> Limit {
         self.limited(cutter, &kept.max(&self.jaws).max(&self.bar(cutter)))
     }
 
@@ -191,7 +209,7 @@ impl Work {
     /// What is left below a shape with its radius turned over whose reference point goes all along a function.
     pub(super) fn left_by(edge: &Shape, way: &Chain) -> Chain {
         // Pits of this side are thin walls of stock: they stay.
-        edge.over_all(&way.negated()).negated()
+        edge.over_all(&way.clone().negated()).negated()
     }
 }
 
@@ -202,23 +220,22 @@ pub(super) fn left_along(edge: &Shape, segment: &Segment) -> Chain {
 
 /// The upper side of what a shape covers along a segment.
 pub(super) fn covered_along(top: &Shape, segment: &Segment) -> Chain {
-    let pieces: Vec<Piece> = super::outline::one_way(segment).into_iter().filter_map(|s| Piece::of(&s)).collect();
-    if pieces.is_empty() {
-        let (a, b) = (segment.start(), segment.end());
-        return top.at(if a.r <= b.r { b } else { a });
-    }
-    Chain::largest_of(pieces.into_iter().map(|p| top.over(&Chain { pieces: vec![p] })).collect())
+    let (a, b) = (segment.start(), segment.end());
+    over_all(top, segment, |p| p).unwrap_or_else(|| top.at(if a.r <= b.r { b } else { a }))
 }
 
 /// The lower boundary of a swept tool, negated.
 fn swept(edge: &Shape, segment: &Segment) -> Chain {
-    let mut parts = super::outline::one_way(segment).into_iter().filter_map(|s| Piece::of(&s)).peekable();
-    if parts.peek().is_none() {
-        let (a, b) = (segment.start(), segment.end());
-        let lower = if a.r <= b.r { a } else { b };
-        return edge.at(Point::new(lower.z, -lower.r));
+    let (a, b) = (segment.start(), segment.end());
+    let lower = if a.r <= b.r { a } else { b };
+    over_all(edge, segment, |p| p.negated()).unwrap_or_else(|| edge.at(Point::new(lower.z, -lower.r)))
+}
+
+/// The largest of a shape put on every point of a segment, seen as `seen`; `None` if it is upright. An arc may turn back along z.
+fn over_all(shape: &Shape, segment: &Segment, seen: impl Fn(Piece) -> Piece) -> Option<Chain> {
+    let over = |part: &Segment| Piece::of(part).map(|p| shape.over_piece(&seen(p)));
+    match segment {
+        Segment::Line { .. } => over(segment),
+        Segment::Arc { .. } => one_way(segment).iter().filter_map(over).reduce(|a, b| a.max(&b)),
     }
-    let pieces: Vec<Piece> = parts.map(|p| p.negated()).collect();
-    // One after the other: a segment may turn back along z.
-    Chain::largest_of(pieces.into_iter().map(|p| edge.over(&Chain { pieces: vec![p] })).collect())
 }

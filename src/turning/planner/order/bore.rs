@@ -20,6 +20,7 @@ use crate::turning::planner::shape::Shape;
 use crate::turning::planner::side::Side;
 use crate::turning::planner::tool::{Cutter, Use};
 use crate::turning::planner::work::Work;
+use std::sync::Arc;
 
 /// Distance of the line that radii count from beyond the bar, mm: every radius stays positive.
 const BEYOND_BAR_MM: f64 = 100.0;
@@ -120,7 +121,9 @@ impl<'a> Inside<'a> {
             side,
             work: bore.work(setup, outside.machine, outside.work.end_z()),
             rules: outside.rules,
-            cutters: seen.filter_map(|(&station, outline)| Cutter::new(station, &side.tool(outline)?)).collect(),
+            cutters: seen
+                .filter_map(|(&station, outline)| Cutter::new(station, &side.tool(outline)?).map(Arc::new))
+                .collect(),
             edit: None,
             operations: Vec::new(),
             diagnostics: Vec::new(),
@@ -130,13 +133,13 @@ impl<'a> Inside<'a> {
 
     /// Drills, the widest first; bars rough, the strongest first, and finish, the finest first; grooves; threads.
     pub(super) fn steps(&self, setup: &Setup) -> Vec<Step> {
-        let of = |wanted: fn(&Use) -> bool| -> Vec<&Cutter> {
-            let mut found: Vec<&Cutter> = self.order.cutters.iter().filter(|c| wanted(&c.r#use)).collect();
+        let of = |wanted: fn(&Use) -> bool| -> Vec<&Arc<Cutter>> {
+            let mut found: Vec<&Arc<Cutter>> = self.order.cutters.iter().filter(|c| wanted(&c.r#use)).collect();
             found.sort_by(|a, b| b.nose.total_cmp(&a.nose));
             found
         };
         let (right, left) = (of(|u| *u == Use::Right), of(|u| *u == Use::Left));
-        let step = |kind| move |c: &&Cutter| Step::of(kind, c.station);
+        let step = |kind| move |c: &&Arc<Cutter>| Step::of(kind, c.station);
         let mut steps: Vec<Step> =
             drills(self.order.task).into_iter().map(|k| Step::of(OperationKind::Drill, k)).collect();
         steps.extend(right.iter().map(step(OperationKind::RoughBore)));
@@ -202,7 +205,7 @@ impl<'a> Inside<'a> {
     /// Cuts every thread of the bore with the first bar for threads that comes in, or with the chosen one.
     fn threads(&mut self, setup: &Setup, chosen: Option<u32>) {
         let bars = self.order.cutters.iter().filter(|c| c.r#use == Use::Thread);
-        let bars: Vec<Cutter> = bars.filter(|c| chosen.is_none_or(|k| c.station == k)).cloned().collect();
+        let bars: Vec<Arc<Cutter>> = bars.filter(|c| chosen.is_none_or(|k| c.station == k)).cloned().collect();
         for thread in &setup.bore_threads {
             let from_z = self.bore.from_z;
             let reaches = |order: &mut Order<'_>, bar: &Cutter| {

@@ -9,6 +9,7 @@ use crate::turning::OperationKind;
 use crate::turning::planner::link::{CLEARANCE_MM, go};
 use crate::turning::planner::tool::{Cutter, Use};
 use crate::turning::planner::work::AXIS_OVERSHOOT_MM;
+use std::sync::Arc;
 
 /// Material beyond the end up to this is none, mm.
 const FACE_WORTH_MM: f64 = 0.002;
@@ -18,7 +19,7 @@ const MOST_CUTS: f64 = 1000.0;
 
 /// Where a tool faces.
 struct Facing {
-    cutter: Cutter,
+    cutter: Arc<Cutter>,
     /// From the programmed point to the tool's leftmost point, mm.
     left: f64,
     /// Radius of the programmed point where the cut ends.

@@ -9,6 +9,7 @@ use crate::turning::planner::outline::Turn;
 use crate::turning::planner::shape::Shape;
 use crate::turning::planner::tool::{Cutter, HOLDER_CLEARANCE_MM};
 use crate::turning::{Feed, OperationKind};
+use std::sync::Arc;
 
 /// How far the blade goes below the wall of a hole that it opens, mm.
 const INTO_HOLE_MM: f64 = 0.5;
@@ -22,14 +23,14 @@ const SHARE_NEAR_AXIS: f64 = 0.25;
 
 /// Where a blade parts off.
 struct Parting {
-    blade: Cutter,
+    blade: Arc<Cutter>,
     /// Position of the programmed point: the blade's right side is at the part's end.
     z: f64,
 }
 
 impl Order<'_> {
     /// Parts the piece off, if there is a blade that can.
-    pub(super) fn part_off(&mut self, setup: &Setup, blades: &[Cutter]) {
+    pub(super) fn part_off(&mut self, setup: &Setup, blades: &[Arc<Cutter>]) {
         let to_r = parted_at(setup);
         let Some(Parting { blade, z }) = blades.iter().find_map(|b| self.parting(b, to_r)) else {
             self.diagnostics.push(self.not_parted(setup, to_r));
@@ -53,7 +54,7 @@ impl Order<'_> {
     }
 
     /// Where this blade parts off; `None` if its holder would run into the stock or the jaws before it is through.
-    fn parting(&self, blade: &Cutter, to_r: f64) -> Option<Parting> {
+    fn parting(&self, blade: &Arc<Cutter>, to_r: f64) -> Option<Parting> {
         let outline = self.task.tools.get(&blade.station)?;
         let edge = outline.insert.bounds()?;
         let z = -edge.max.z;

@@ -10,6 +10,7 @@ use crate::document::{OperationEdit, OperationKind, OperationRef};
 use crate::part::{PartContour, Setup};
 use crate::turning::planner::hand;
 use crate::turning::planner::tool::{Cutter, Use};
+use std::sync::Arc;
 
 /// One step: an operation that may turn out to have nothing to do.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,13 +75,13 @@ impl Order<'_> {
         thread.into_iter().chain(off).collect()
     }
 
-    pub(super) fn blades(&self) -> Vec<Cutter> {
+    pub(super) fn blades(&self) -> Vec<Arc<Cutter>> {
         self.cutters.iter().filter(|c| matches!(c.r#use, Use::Blade { .. })).cloned().collect()
     }
 
     /// Roughing and finishing with the turning tools of either hand.
     fn turning(&self) -> Vec<Step> {
-        let of = |wanted: fn(&Cutter) -> bool| -> Vec<Cutter> {
+        let of = |wanted: fn(&Cutter) -> bool| -> Vec<Arc<Cutter>> {
             self.cutters.iter().filter(|c| wanted(c)).cloned().collect()
         };
         let hands = [
@@ -161,8 +162,8 @@ impl Order<'_> {
         match step.kind {
             OperationKind::Face => self.face(setup, chosen),
             OperationKind::PartOff => {
-                let fits = |b: &Cutter| chosen.is_none_or(|station| b.station == station);
-                let blades: Vec<Cutter> = self.blades().into_iter().filter(fits).collect();
+                let fits = |b: &Arc<Cutter>| chosen.is_none_or(|station| b.station == station);
+                let blades: Vec<Arc<Cutter>> = self.blades().into_iter().filter(fits).collect();
                 self.part_off(setup, &blades);
             }
             _ => match self.cutters.iter().find(|c| c.station == station && does(c, step.kind)).cloned() {
