@@ -2,7 +2,7 @@
 //!
 //! Every case bends one element of a station to and fro by 0.1°. `angle/design` is the time until strip and rolls of all stations
 //! can be shown, `angle/shown roll` until the roll on screen has its plan, program and proof too, `angle/whole set` until
-//! all rolls that change have. `from-nothing` makes the whole set without anything kept.
+//! all rolls that change have. `from-nothing` makes the whole set without anything kept; one of 9 stations with 4 rolls each, too.
 
 #![allow(clippy::expect_used, reason = "a benchmark may stop at once when its data is not there")]
 
@@ -11,7 +11,7 @@ use std::hint::black_box;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use turnwright::cancel::Cancel;
-use turnwright::document::{Content, Document, RollKind, RollRef};
+use turnwright::document::{Content, Document, RollKind, RollRef, Station};
 use turnwright::machine::Catalog;
 use turnwright::regen::{Cache, Steps, regenerate, regenerate_in_steps};
 use turnwright::storage;
@@ -72,8 +72,28 @@ fn angle(c: &mut Criterion) {
     }
 }
 
+/// The last station of U-CHANNEL but one, with rolls on all sides of the strip, at nine angles.
+fn nine_stations() -> Arc<Document> {
+    let ([document, _], _) = dragged("U-CHANNEL");
+    let mut document = (*document).clone();
+    let Content::RollSet(set) = &mut document.content else { unreachable!("a set of form-rolls") };
+    let all_sides = set.stations[set.stations.len() - 2].clone();
+    let at = |k: u32| {
+        let mut station = Station { id: k + 1, ..all_sides.clone() };
+        station.bends.iter_mut().for_each(|bend| bend.angle_deg = 74.0 + 2.0 * f64::from(k));
+        station
+    };
+    set.stations = (0..9).map(at).collect();
+    set.rolls.clear();
+    Arc::new(document)
+}
+
 fn full(c: &mut Criterion) {
     let catalog = Catalog::shipped();
+    let nine = nine_stations();
+    let made = || regenerate(&nine, &catalog, &mut Cache::default(), &Cancel::default()).expect("nobody cancels");
+    assert_eq!(made().rolls.expect("a set of form-rolls").rolls.len(), 36);
+    c.bench_function("from-nothing/9 stations with 4 rolls each", |b| b.iter(|| black_box(made())));
     for name in SETS {
         let (documents, _) = dragged(name);
         c.bench_function(&format!("from-nothing/{name}"), |b| {
