@@ -22,11 +22,15 @@ pub(super) fn measure(work: &Work, stock: &Stock) -> Vec<Leftover> {
     let mut sums: Vec<(u32, Sum)> = Vec::new();
     let mut places: HashMap<u32, usize> = HashMap::new();
     for (segment, section, from_z) in machined(&work.target) {
-        for (p, weight) in samples(segment, from_z) {
-            let place = *places.entry(section).or_insert(sums.len());
-            if place == sums.len() {
-                sums.push((section, Sum::default()));
-            }
+        let samples = samples(segment, from_z);
+        if samples.is_empty() {
+            continue;
+        }
+        let place = *places.entry(section).or_insert(sums.len());
+        if place == sums.len() {
+            sums.push((section, Sum::default()));
+        }
+        for (p, weight) in samples {
             sums[place].1.add(p, weight, border.thickness_at(p));
         }
     }
@@ -70,7 +74,7 @@ impl Sum {
 
 /// Middles of equal parts of a segment, with the length that each stands for. A face just where this set-up's machining
 /// ends belongs to the other end of the part.
-fn samples(segment: &Segment, from_z: f64) -> impl Iterator<Item = (Point, f64)> {
+fn samples(segment: &Segment, from_z: f64) -> Vec<(Point, f64)> {
     let length = segment.length();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 1..=MOST_SAMPLES")]
     let count = (length / SAMPLE_MM).ceil().clamp(1.0, f64::from(MOST_SAMPLES)) as u32;
@@ -79,8 +83,7 @@ fn samples(segment: &Segment, from_z: f64) -> impl Iterator<Item = (Point, f64)>
         .map(middle)
         .filter(move |p| p.z > from_z + SAME_PLACE_MM)
         .map(move |p| (p, length / f64::from(count)))
-        .collect::<Vec<_>>()
-        .into_iter()
+        .collect()
 }
 
 /// The edges of the stock.

@@ -77,7 +77,7 @@ fn stages(c: &mut Criterion) {
         b.iter(|| part::contour(black_box(&item.setup.profile), regen::CONTOUR_TOLERANCE_MM));
     });
     c.bench_function("stage/unreachable", |b| {
-        b.iter(|| turning::unreachable(black_box(&item.setup), &tools, &machine))
+        b.iter(|| turning::unreachable(black_box(&item.setup), &tools, &machine));
     });
     let today = catalog.machine("fanuc-0i").expect("the machine is shipped");
     let todays_tools = machine::outlines(today, &catalog);

@@ -123,7 +123,9 @@ impl Front {
     fn add(&mut self, rolled: &[Piece]) {
         let Some(end) = rolled.last().map(|p| p.z1) else { return };
         if self.chain.pieces.is_empty() {
-            rolled.iter().for_each(|p| self.chain.push_part(p, p.z0, p.z1));
+            for piece in rolled {
+                self.chain.push_part(piece, piece.z0, piece.z1);
+            }
             return;
         }
         if self.chain.pieces.last().is_some_and(|last| last.z1 > end + SAME_MM) {
