@@ -2,7 +2,7 @@ use super::*;
 use crate::cancel::Cancel;
 use crate::document::{Content, FORMAT_VERSION};
 use crate::machine::Catalog;
-use crate::papers::page::Item;
+use crate::papers::page::{Item, Pen};
 use crate::regen::{Cache, regenerate};
 use crate::rollform::fixtures::published;
 use std::sync::Arc;
@@ -109,6 +109,16 @@ fn every_station_is_drawn_with_its_rolls_on_any_paper() {
     let (top, bottom) = (areas[areas.len() - 3], areas[areas.len() - 2]);
     let axes = top.max.r - bottom.min.r;
     assert!((axes - (130.683 + 10.0) * scale).abs() < 1e-6, "{axes}");
+    // It lies behind the halves of the rolls: a hidden edge, all of it.
+    let strip = derived.rolls.as_ref().unwrap().design.stations[1].strip.outline();
+    let hidden = page.items.iter().filter_map(|item| match item {
+        Item::Path { path, pen: Some(pen), fill: Some(_) } if *pen == Pen::DASHED => Some(path),
+        _ => None,
+    });
+    let hidden: Vec<_> = hidden.collect();
+    assert!(hidden.len() == 1 && hidden[0].segments.len() == strip.segments.len(), "{hidden:?}");
+    let [wide, of_strip] = [hidden[0], &strip].map(|outline| outline.bounds().map(|b| b.max.z - b.min.z).unwrap());
+    assert!((wide - of_strip * scale).abs() < 1e-6, "{wide}");
 }
 
 #[test]
