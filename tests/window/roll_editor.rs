@@ -188,6 +188,11 @@ fn a_box_is_zoomed_to_and_a_double_click_fits_again() {
     assert!((span(&mut window) - whole).abs() < whole * 1e-3);
 }
 
+/// Where the first edit of the list is taken back.
+fn place_of_first(window: &Window) -> Pos2 {
+    window.harness.query_all_by_label("remove").next().unwrap().rect().center()
+}
+
 #[test]
 fn a_corner_is_chosen_in_the_plot_and_chamfered() {
     let mut window = opened();
@@ -197,8 +202,10 @@ fn a_corner_is_chosen_in_the_plot_and_chamfered() {
     // The section is symmetrical: the other side is kept alike, unless that is not wanted.
     for (sides, wanted) in [(2, 2), (1, 1)] {
         window.click("Apply");
-        window.until_designed();
         assert_eq!(edits(&mut window), wanted);
+        let first = place_of_first(&window);
+        window.until_designed();
+        assert_eq!(place_of_first(&window), first, "the list stays where it is when the roll is designed");
         if sides == 2 {
             window.screenshot("rolls-editor-chamfered");
         }

@@ -16,6 +16,10 @@ const LABEL: f32 = 92.0;
 /// Width of fields, points.
 const FIELD: f32 = 158.0;
 
+/// Height of a remark of two lines, points. It is kept free without one, too: a remark comes and goes with the design,
+/// which arrives when it is done, and what is clicked below must not move away under the mouse.
+const REMARK: f32 = 48.0;
+
 /// What an edit does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 enum Tool {
@@ -211,18 +215,7 @@ pub(super) fn show(
         });
     }
     figures(ui, draft, asked.unit, elements);
-    let colors = Colors::of(ui.visuals());
     let mut apply = false;
-    match (*chosen, asked.fault) {
-        (None, _) => {
-            ui.label(theme::quiet("Click an element in the plot, or type its number.", colors));
-        }
-        (Some(_), Some(fault)) => remark(ui, fault),
-        (Some(name), None) => {
-            let behind = if draft.tool == Tool::Delete || draft.replace { "at" } else { "behind" };
-            ui.label(theme::quiet(format!("{behind} {}", described(name)), colors));
-        }
-    }
     ui.horizontal(|ui| {
         ui.add_space(LABEL + 8.0);
         apply = primary_button(ui, "Apply", asked.ready && asked.fault.is_none()).clicked();
@@ -230,7 +223,25 @@ pub(super) fn show(
             toggle(ui, both, "on both sides").on_hover_text("Keeps left and right of the roll alike");
         }
     });
+    ui.scope(|ui| {
+        ui.set_min_height(REMARK);
+        corner(ui, draft, *chosen, asked.fault);
+    });
     apply
+}
+
+/// Where the edit is made, or why it is not.
+fn corner(ui: &mut Ui, draft: &Draft, chosen: Option<ElementName>, fault: Option<&str>) {
+    let colors = Colors::of(ui.visuals());
+    let text = match (chosen, fault) {
+        (Some(_), Some(fault)) => return remark(ui, fault),
+        (None, _) => "Click an element in the plot, or type its number.".to_owned(),
+        (Some(name), None) => {
+            let behind = if draft.tool == Tool::Delete || draft.replace { "at" } else { "behind" };
+            format!("{behind} {}", described(name))
+        }
+    };
+    ui.label(theme::quiet(text, colors));
 }
 
 fn figures(ui: &mut Ui, draft: &mut Draft, unit: Unit, elements: &[RollElement]) {
