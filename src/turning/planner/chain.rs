@@ -23,6 +23,11 @@ impl Run {
     pub(super) const fn width(&self) -> f64 {
         self.z1 - self.z0
     }
+
+    /// From where the first of two begins to where the last one ends.
+    pub(super) const fn and(self, other: Self) -> Self {
+        Self { z0: self.z0.min(other.z0), z1: self.z1.max(other.z1) }
+    }
 }
 
 impl Chain {
@@ -85,35 +90,30 @@ impl Chain {
         Self { pieces: self.pieces.iter().rev().map(Piece::mirrored).collect() }
     }
 
-    /// Takes away what lies above `lower`, which has no gaps. Only the pieces beside it are touched.
-    pub(super) fn cut(&mut self, lower: &Self) {
-        let (Some(first), Some(last)) = (lower.pieces.first(), lower.pieces.last()) else { return };
-        let from = self.pieces.partition_point(|p| p.z1 <= first.z0);
-        let to = self.pieces.partition_point(|p| p.z0 < last.z1);
-        let Some(under) = self.pieces.get(from..to) else { return };
-        let (Some(a), Some(b)) = (under.first(), under.last()) else { return };
-        let (z0, z1) = (a.z0, b.z1);
-        let left = Self { pieces: under.to_vec() }.min(lower).clipped(z0, z1);
-        self.pieces.splice(from..to, left.pieces);
-        // What is cut off at the end is gone.
-        while self.pieces.last().is_some_and(|p| p.highest() <= 0.0) {
-            self.pieces.pop();
-        }
+    /// Where it begins and where it ends; `None` of nothing.
+    pub(super) fn ends(&self) -> Option<(f64, f64)> {
+        Some((self.pieces.first()?.z0, self.pieces.last()?.z1))
     }
 
-    /// Takes away what lies between `low` and `high` where that reaches the top; where it does not, something hangs over what was
-    /// taken, and the function stays.
-    pub(super) fn uncover(&mut self, low: &Self, high: &Self) {
-        let (Some(first), Some(last)) = (low.pieces.first(), low.pieces.last()) else { return };
-        let near = self.clipped(first.z0, last.z1);
-        let hidden = near.runs_over(high, EQUAL_MM);
-        let mut from = first.z0;
-        for run in hidden.iter().chain([&Run { z0: last.z1, z1: last.z1 }]) {
-            if run.z0 - from > SAME_MM {
-                self.cut(&low.clipped(from, run.z0));
-            }
-            from = run.z1;
-        }
+    /// Largest value; −∞ of nothing.
+    pub(super) fn top(&self) -> f64 {
+        self.pieces.iter().map(Piece::highest).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Smallest value in a stretch; ∞ in a gap.
+    pub(super) fn lowest(&self, z0: f64, z1: f64) -> f64 {
+        let inside = self.over(z0, z1).iter().filter_map(|p| p.clipped(z0, z1)).map(|p| p.lowest());
+        inside.fold(f64::INFINITY, f64::min)
+    }
+
+    /// Takes away what lies above `lower`. Only the pieces beside it are touched.
+    pub(super) fn cut(&mut self, lower: &Self) {
+        let Some((z0, z1)) = lower.ends() else { return };
+        let from = self.pieces.partition_point(|p| p.z1 <= z0);
+        let to = self.pieces.partition_point(|p| p.z0 < z1).max(from);
+        let Some(under) = self.pieces.get(from..to) else { return };
+        let left = Self { pieces: under.to_vec() }.joined(lower, false, |f, g| g < f - EQUAL_MM);
+        self.pieces.splice(from..to, left.pieces);
     }
 
     /// Puts another function in the place of a stretch.
@@ -130,16 +130,16 @@ impl Chain {
 
     /// The larger of two functions; where one has a gap, the other.
     pub(super) fn max(&self, other: &Self) -> Self {
-        self.joined(other, |f, g| g > f + EQUAL_MM)
+        self.joined(other, true, |f, g| g > f + EQUAL_MM)
     }
 
     /// The smaller of two functions; where one has a gap, the other.
     pub(super) fn min(&self, other: &Self) -> Self {
-        self.joined(other, |f, g| g < f - EQUAL_MM)
+        self.joined(other, true, |f, g| g < f - EQUAL_MM)
     }
 
-    /// This function, and the other one where it is alone or `better`.
-    fn joined(&self, other: &Self, better: impl Fn(f64, f64) -> bool) -> Self {
+    /// This function, and the other one where it is `better`, or alone if that counts.
+    fn joined(&self, other: &Self, alone: bool, better: impl Fn(f64, f64) -> bool) -> Self {
         let mut out = Self { pieces: Vec::with_capacity(self.pieces.len() + other.pieces.len()) };
         let (mut i, mut j) = (0, 0);
         let mut from = f64::NEG_INFINITY;
@@ -151,12 +151,14 @@ impl Chain {
                         out.push_part(f, f0, f.z1);
                         i += 1;
                     } else if g.z1 <= f0 {
-                        out.push_part(g, g0, g.z1);
+                        if alone {
+                            out.push_part(g, g0, g.z1);
+                        }
                         j += 1;
                     } else {
                         if f0 < g0 {
                             out.push_part(f, f0, g0);
-                        } else {
+                        } else if alone {
                             out.push_part(g, g0, f0);
                         }
                         let (z0, z1) = (f0.max(g0), f.z1.min(g.z1));
@@ -170,6 +172,7 @@ impl Chain {
                     out.push_part(f, f.z0.max(from), f.z1);
                     i += 1;
                 }
+                (None, Some(_)) if !alone => return out,
                 (None, Some(g)) => {
                     out.push_part(g, g.z0.max(from), g.z1);
                     j += 1;

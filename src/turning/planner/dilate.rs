@@ -70,10 +70,7 @@ impl Shape {
 
     /// The pieces on which the shape reaches into a window.
     fn reached<'a>(&self, surface: &'a Chain, window: Window) -> &'a [Piece] {
-        let (z0, z1) = self
-            .parts
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(z0, z1), part| (z0.min(part.z0()), z1.max(part.z1())));
+        let (z0, z1) = self.extent();
         surface.over(window.z0 - z1, window.z1 - z0)
     }
 

@@ -53,7 +53,7 @@ impl Follow<'_> {
             // Above a raised limit there is even less to cut.
             return;
         }
-        let Some(chain) = self.settled(&path.work.stock) else { return self.passes(path, &runs) };
+        let Some(chain) = self.settled(&path.work.stock.chain()) else { return self.passes(path, &runs) };
         let limit = Limit { chain, ..*self.limit };
         let follow = Follow { limit: &limit, ..*self };
         follow.passes(path, &follow.runs(&path.work));
@@ -72,10 +72,10 @@ impl Follow<'_> {
     fn settled(&self, stock: &Chain) -> Option<Chain> {
         let Limit { chain, z0, z1 } = self.limit;
         let mut raised: Option<Chain> = None;
-        let (first, last) = (stock.pieces.first()?, stock.pieces.last()?);
+        let (first, last) = stock.ends()?;
         for _ in 0..MOST_RAISES {
             let low = raised.as_ref().unwrap_or(chain);
-            let left = stock.min(&Work::left_by(&self.cutter.cutting, low)).clipped(first.z0, last.z1);
+            let left = stock.min(&Work::left_by(&self.cutter.cutting, low)).clipped(first, last);
             let needed = self.cutter.guard.over_floor(&left, *z0, *z1, low);
             if needed.runs_over(low, RAISED_MM).is_empty() {
                 break;
@@ -95,7 +95,7 @@ impl Follow<'_> {
         let (joined, right, beyond) =
             if is_blade { (0.0, left, BLADE_OVERLAP_MM) } else { (JOINED_MM, right, OVERLAP_MM) };
         let mut runs: Vec<Run> = Vec::new();
-        for full in work.stock.clipped(from, to).runs_over(&reached, self.worth) {
+        for full in work.stock.between(from, to).runs_over(&reached, self.worth) {
             let z0 = (full.z0 - right - beyond).max(self.limit.z0);
             let z1 = self.begun_at_the_wall(full.z1, (full.z1 - left + beyond).min(self.limit.z1));
             match runs.last_mut() {

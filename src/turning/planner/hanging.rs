@@ -2,6 +2,7 @@
 //! several levels.
 
 use super::chain::{Chain, Run};
+use super::surface::Surface;
 
 /// What is thinner than this everywhere is gone, mm: rounding.
 const GONE_MM: f64 = 1e-6;
@@ -11,6 +12,9 @@ const GONE_MM: f64 = 1e-6;
 struct Band {
     z0: f64,
     z1: f64,
+    /// Smallest value of `low` and largest of `high`, mm.
+    bottom: f64,
+    top: f64,
     low: Chain,
     high: Chain,
 }
@@ -26,15 +30,22 @@ pub(super) struct Hanging {
 impl Band {
     /// What lies between two functions wherever there is something.
     fn between(low: &Chain, high: &Chain) -> impl Iterator<Item = Self> {
-        high.runs_over(low, GONE_MM).into_iter().filter_map(|Run { z0, z1 }| {
-            let (low, high) = (low.clipped(z0, z1), high.clipped(z0, z1));
-            Some(Self { z0: low.pieces.first()?.z0, z1: low.pieces.last()?.z1, low, high })
-        })
+        let runs = high.runs_over(low, GONE_MM).into_iter();
+        runs.filter_map(|Run { z0, z1 }| Self::of(low.clipped(z0, z1), high.clipped(z0, z1)))
+    }
+
+    fn of(low: Chain, high: Chain) -> Option<Self> {
+        let (z0, z1) = low.ends()?;
+        Some(Self { z0, z1, bottom: low.lowest(z0, z1), top: high.top(), low, high })
     }
 
     fn clipped(&self, z0: f64, z1: f64) -> Option<Self> {
-        let (low, high) = (self.low.clipped(z0, z1), self.high.clipped(z0, z1));
-        Some(Self { z0: low.pieces.first()?.z0, z1: low.pieces.last()?.z1, low, high })
+        Self::of(self.low.clipped(z0, z1), self.high.clipped(z0, z1))
+    }
+
+    /// True if what lies between two functions may take something of it.
+    fn is_met(&self, low: &Chain, high: &Chain) -> bool {
+        self.top > low.lowest(self.z0, self.z1) && self.bottom < high.highest(self.z0, self.z1)
     }
 
     /// What stays if everything between two functions over a stretch is taken.
@@ -91,17 +102,23 @@ impl Hanging {
         })
     }
 
-    /// Takes away what lies between two functions, and adds what of `stock` lies above the upper one.
-    pub(super) fn cut(&mut self, low: &Chain, high: &Chain, stock: &Chain) {
-        let (Some(first), Some(last)) = (low.pieces.first(), low.pieces.last()) else { return };
-        let stretch = Run { z0: first.z0, z1: last.z1 };
-        let near = self.near(stretch.z0, stretch.z1);
-        let (met, apart): (Vec<Band>, Vec<Band>) = self.bands.drain(near.clone()).partition(|b| b.z1 > stretch.z0);
-        let mut now: Vec<Band> = met.iter().flat_map(|band| band.without(stretch, low, high)).chain(apart).collect();
-        now.extend(Band::between(high, &stock.clipped(stretch.z0, stretch.z1)));
+    /// Takes away what lies between two functions, and adds what of `stock` lies above the upper one; gives a stretch outside which
+    /// nothing changed.
+    pub(super) fn cut(&mut self, low: &Chain, high: &Chain, stock: &Surface) -> Option<Run> {
+        let (z0, z1) = low.ends()?;
+        let (near, stretch) = (self.near(z0, z1), Run { z0, z1 });
+        let mut now: Vec<Band> = Band::between(high, &stock.above(high).clipped(z0, z1)).collect();
+        let is_met = |band: &Band| band.is_met(low, high);
+        if now.is_empty() && !self.bands.get(near.clone()).unwrap_or_default().iter().any(is_met) {
+            return None;
+        }
+        let (met, apart): (Vec<Band>, Vec<Band>) = self.bands.drain(near.clone()).partition(is_met);
+        let changed = met.iter().chain(&now).map(|b| Run { z0: b.z0.max(z0), z1: b.z1.min(z1) }).reduce(Run::and);
+        now.extend(met.iter().flat_map(|band| band.without(stretch, low, high)).chain(apart));
         self.widest = now.iter().map(|b| b.z1 - b.z0).fold(self.widest, f64::max);
         now.sort_by(|a, b| a.z0.total_cmp(&b.z0));
         self.put(near.start, now);
+        changed
     }
 
     /// Puts bands in order at a place; one whose beginning was cut off may now begin behind its neighbours.
@@ -121,7 +138,7 @@ impl Hanging {
 
     /// With z turned round.
     pub(super) fn mirrored(&self) -> Self {
-        let turned = |b: &Band| Band { z0: -b.z1, z1: -b.z0, low: b.low.mirrored(), high: b.high.mirrored() };
+        let turned = |b: &Band| Band { z0: -b.z1, z1: -b.z0, low: b.low.mirrored(), high: b.high.mirrored(), ..*b };
         let mut bands: Vec<Band> = self.bands.iter().map(turned).collect();
         bands.sort_by(|a, b| a.z0.total_cmp(&b.z0));
         Self { bands, widest: self.widest }
@@ -135,7 +152,7 @@ mod tests {
     #[test]
     fn slivers_of_several_levels_hang_one_above_the_other() {
         let mut hanging = Hanging::default();
-        let mut stock = Chain::level(0.0, 10.0, 10.0);
+        let mut stock = Surface::from(Chain::level(0.0, 10.0, 10.0));
         // Three strokes below each other, each of which leaves 1 mm above itself.
         for (low, high) in [(8.0, 9.0), (6.0, 7.0), (4.0, 5.0)] {
             let (low, high) = (Chain::level(2.0, 5.0, low), Chain::level(2.0, 5.0, high));
@@ -150,7 +167,7 @@ mod tests {
         {
             assert_eq!(meets(&hanging, low, high), there, "{low} to {high}");
         }
-        assert_eq!(hanging.top_over(stock.clone(), 0.0, 10.0).at(3.0), Some(10.0));
+        assert_eq!(hanging.top_over(stock.chain(), 0.0, 10.0).at(3.0), Some(10.0));
         // Through the middle one, and a bit of the top one from below.
         hanging.cut(&Chain::level(0.0, 4.0, 6.0), &Chain::level(0.0, 4.0, 9.5), &stock);
         assert!(!meets(&hanging, 6.5, 9.4) && meets(&hanging, 9.4, 9.6) && hanging.is_over(4.0, 4.5));

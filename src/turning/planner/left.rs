@@ -27,8 +27,8 @@ pub(super) struct Left {
 /// The rows of `contour` on which stock is left, with the largest height of each, in order of ids.
 pub(super) fn measure(work: &Work, contour: &PartContour) -> Vec<Left> {
     let mut rows: BTreeMap<u32, Left> = BTreeMap::new();
-    for run in work.stock.clipped(work.from_z, f64::INFINITY).runs_over(&work.part, SPOKEN_OF_MM) {
-        let stock = work.stock.clipped(run.z0, run.z1);
+    for run in work.stock.between(work.from_z, f64::INFINITY).runs_over(&work.part, SPOKEN_OF_MM) {
+        let stock = work.stock.between(run.z0, run.z1);
         for (section, at) in places_under(&run, contour) {
             let height = height_over(&stock, at).min(work.end_z() - at.z);
             let row = rows.entry(section).or_insert(Left { section, height, at });
@@ -89,7 +89,7 @@ mod tests {
                 Piece::line(Point::new(21.35, 5.05), Point::new(21.4, 5.0)),
             ],
         };
-        work.stock = work.stock.max(&ridge);
+        work.stock = work.stock.chain().max(&ridge).into();
         let left = measure(&work, &contour);
         assert!(
             left.len() == 1 && left[0].section == 7 && (left[0].height - 0.05 / 2.0_f64.sqrt()).abs() < 0.002,

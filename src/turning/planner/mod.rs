@@ -10,7 +10,7 @@
 //! | `piece`, `chain` | functions of z: values, the larger of two, where one is above the other |
 //! | `outline`, `shape`, `rolling`, `lows`, `dilate` | outlines of tools turned over and rolled along functions |
 //! | `tool`, `guard`, `work` | what a tool is for, what of it must not meet stock; contour, jaws, stock, limits |
-//! | `hanging` | stock that hangs over what was cut |
+//! | `surface`, `hanging` | the top of the stock in chunks; stock that hangs over what was cut |
 //! | `rest` | where tools are changed that have no place of their own |
 //! | `trace`, `corner`, `path`, `link` | limits as paths that a control can take; moves; ways through air |
 //! | `rough`, `follow`, `groove`, `thread` | one kind of operation each |
@@ -46,6 +46,7 @@ mod rough;
 mod rough_recipe;
 mod shape;
 mod side;
+mod surface;
 mod thread;
 mod tool;
 mod trace;

@@ -186,7 +186,7 @@ impl<'a> Order<'a> {
             return;
         }
         let limit = work.limit_over(cutter, &kept);
-        let touch = cutter.insert.over_floor(&work.stock, limit.z0, limit.z1, &limit.chain);
+        let touch = cutter.insert.over_floor(&work.stock.chain(), limit.z0, limit.z1, &limit.chain);
         let thick = touch.runs_over(&limit.chain, least);
         if thick.iter().all(|run| run.width() <= PIT_MM) {
             return;
@@ -228,7 +228,7 @@ impl<'a> Order<'a> {
         let Use::Blade { width } = cutter.r#use else { return };
         let Some(conditions) = self.conditions(OperationKind::Groove, cutter.station) else { return };
         let limit = self.work.limit(cutter, conditions.allowance);
-        let touch = cutter.insert.over(&self.work.stock);
+        let touch = cutter.insert.over(&self.work.stock.chain());
         let plunges = groove::plunges(&limit, &touch, width);
         if plunges.is_empty() {
             return;

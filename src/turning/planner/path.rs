@@ -3,8 +3,9 @@
 use super::chain::{Chain, Run};
 use super::conditions::Conditions;
 use super::link::{CLEARANCE_MM, LEAN, go};
-use super::piece::{Piece, SAME_MM};
+use super::piece::Piece;
 use super::shape::Shape;
+use super::surface::Surface;
 use super::tool::{Cutter, HOLDER_CLEARANCE_MM};
 use super::trace::one_direction;
 use super::work::{AIR_MM, Work, covered_along, left_along};
@@ -200,9 +201,7 @@ impl<'a> Path<'a> {
     /// arc's parts.
     fn chip_width(&self, segment: &Segment, swept: Option<&Chain>) -> f64 {
         let Some(low) = swept.filter(|_| self.conditions.knows_power()) else { return 0.0 };
-        let bounds = segment.bounds();
-        let (z0, z1) = self.window(bounds.min.z, bounds.max.z);
-        let mut stock = higher(&self.work.stock, z0, z1, bounds.min.r + self.cutter.low);
+        let mut stock = self.work.stock.above(low);
         let Segment::Arc { center, ccw, .. } = *segment else {
             return self.taken(&stock, segment, low) / segment.length().max(NO_MOVE_MM);
         };
@@ -219,9 +218,9 @@ impl<'a> Path<'a> {
 
     /// Area that the insert takes of `stock` and of what hangs over it along a segment, mm²; `low` is what is [`Path::swept`].
     fn taken(&self, stock: &Chain, segment: &Segment, low: &Chain) -> f64 {
-        let (Some(first), Some(last)) = (low.pieces.first(), low.pieces.last()) else { return 0.0 };
+        let Some((z0, z1)) = low.ends() else { return 0.0 };
         let hanging = &self.work.hanging;
-        let is_over = hanging.is_over(first.z0, last.z1);
+        let is_over = hanging.is_over(z0, z1);
         let over = is_over.then(|| hanging.area_within(low, &covered_along(&self.cutter.top, segment)));
         stock.area_over(low) + over.unwrap_or(0.0)
     }
@@ -230,7 +229,7 @@ impl<'a> Path<'a> {
     fn meets(&self, segment: &Segment) -> bool {
         let bounds = segment.bounds();
         let (z0, z1) = self.window(bounds.min.z, bounds.max.z);
-        self.work.cover.over(z0, z1).iter().any(|p| p.highest() > bounds.min.r + self.cutter.low)
+        self.work.cover.rises_above(z0, z1, bounds.min.r + self.cutter.low)
     }
 
     /// What lies within reach of the tool while its programmed point is between two positions.
@@ -241,7 +240,7 @@ impl<'a> Path<'a> {
     /// How low the insert may go between two positions without touching stock; only what is above `above` counts.
     pub(super) fn touch(&self, z0: f64, z1: f64, above: f64) -> Chain {
         let (from, to) = self.window(z0, z1);
-        let stock = higher(&self.work.stock, from, to, above + self.cutter.low);
+        let stock = self.work.stock.higher(from, to, above + self.cutter.low);
         self.cutter.insert.over_within(&stock, z0, z1, above).clipped(z0, z1)
     }
 
@@ -271,9 +270,9 @@ impl<'a> Path<'a> {
     }
 
     /// How low the tool may go over `stock` and what holds it; what is a clearance below `above` is nobody's concern.
-    fn air_over(&self, stock: &Chain, (z0, z1): (f64, f64), above: f64) -> Chain {
+    fn air_over(&self, stock: &Surface, (z0, z1): (f64, f64), above: f64) -> Chain {
         let ((from, to), low) = (self.window(z0, z1), above + self.cutter.low);
-        let solid = higher(stock, from, to, low).max(&higher(&self.work.passed, from, to, low));
+        let solid = stock.higher(from, to, low).max(&self.work.passed.higher(from, to, low));
         self.cutter.body.over_within(&solid, z0 - AIR_MM, z1 + AIR_MM, above - 2.0 * CLEARANCE_MM)
     }
 
@@ -294,18 +293,18 @@ impl<'a> Path<'a> {
         let (from, to) = self.window(bounds.min.z, bounds.max.z);
         let (guarded, reach) = (self.cutter.guard_low, self.cutter.ahead_low);
         let floor = bounds.min.r + guarded.min(reach);
-        if !self.work.cover.over(from, to).iter().any(|p| p.highest() > floor) {
+        if !self.work.cover.rises_above(from, to, floor) {
             return None;
         }
-        let mut stock = self.work.cover.clipped(from, to);
+        let mut stock = self.work.cover.clone();
         for (index, segment) in way.iter().enumerate() {
             let low = segment.bounds().min.r;
             let piece = Piece::of(segment);
-            let ahead = piece.and_then(|p| run_into(&self.cutter.ahead, &stock, &p, low + reach, self.cutter.extent));
+            let ahead = piece.and_then(|p| run_into(&self.cutter.ahead, &stock, &p, low + reach));
             stock.uncover(&left_along(&self.cutter.cutting, segment), &covered_along(&self.cutter.top, segment));
             let at = segment.bounds();
             let piece = piece.unwrap_or_else(|| Piece::level(at.min.z - UPRIGHT_MM, at.min.z + UPRIGHT_MM, at.min.r));
-            let beside = run_into(&self.cutter.guard, &stock, &piece, low + guarded, self.cutter.extent);
+            let beside = run_into(&self.cutter.guard, &stock, &piece, low + guarded);
             let zone = [ahead, beside].into_iter().flatten().max_by(|a, b| a.z1.total_cmp(&b.z1));
             if let Some(zone) = zone {
                 return Some(Blocked { index, zone });
@@ -316,23 +315,14 @@ impl<'a> Path<'a> {
 }
 
 /// The rightmost stretch of `way` where `shape` on it runs into what of `stock` is above `above`.
-fn run_into(shape: &Shape, stock: &Chain, way: &Piece, above: f64, extent: (f64, f64)) -> Option<Run> {
-    let near = higher(stock, way.z0 + extent.0, way.z1 + extent.1, above);
+fn run_into(shape: &Shape, stock: &Surface, way: &Piece, above: f64) -> Option<Run> {
+    let near = stock.reached(shape, way, above);
     if near.pieces.is_empty() {
         return None;
     }
     let floor = Chain { pieces: vec![*way] };
     let needed = shape.over_floor(&near, way.z0, way.z1, &floor);
     needed.runs_over(&floor, TOUCH_MM).pop()
-}
-
-/// The pieces between two positions that are anywhere above a height.
-fn higher(chain: &Chain, z0: f64, z1: f64, above: f64) -> Chain {
-    let over = chain.over(z0, z1);
-    let mut pieces = Vec::with_capacity(over.len());
-    let near = over.iter().filter_map(|p| p.clipped(z0, z1));
-    pieces.extend(near.filter(|p| p.highest() > above + SAME_MM));
-    Chain { pieces }
 }
 
 /// A move seen from the other end of the machine.

@@ -39,7 +39,7 @@ pub fn unreachable(setup: &Setup, tools: &BTreeMap<u32, ToolOutline>, machine: &
         return Vec::new();
     }
     let work = Work::new(setup, &contour, machine);
-    let mut least = work.stock.clone();
+    let mut least = work.stock.chain();
     let mut areas = Vec::new();
     for cutter in &cutters {
         let left = left_by(cutter, &work);
@@ -53,7 +53,7 @@ pub fn unreachable(setup: &Setup, tools: &BTreeMap<u32, ToolOutline>, machine: &
 /// What a tool leaves of the stock.
 fn left_by(cutter: &Cutter, work: &Work) -> Chain {
     let seen = work.seen_by(cutter);
-    let left = seen.stock.min(&Work::left_by(&cutter.edge, &seen.limit(cutter, 0.0).chain));
+    let left = seen.stock.chain().min(&Work::left_by(&cutter.edge, &seen.limit(cutter, 0.0).chain));
     if cutter.turned { left.mirrored() } else { left }
 }
 

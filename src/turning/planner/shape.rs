@@ -143,6 +143,17 @@ impl Shape {
         pieces.map(Piece::highest).fold(f64::NEG_INFINITY, f64::max)
     }
 
+    /// Largest value of the boundary between two positions, mm; −∞ without any.
+    pub(super) fn highest(&self, z0: f64, z1: f64) -> f64 {
+        self.parts.iter().map(|part| part.chain.highest(z0, z1)).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// Where the boundary begins and where it ends.
+    pub(super) fn extent(&self) -> (f64, f64) {
+        let ends = self.parts.iter().map(|part| (part.z0(), part.z1()));
+        ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(z0, z1), (a, b)| (z0.min(a), z1.max(b)))
+    }
+
     /// The boundary as a function.
     #[cfg(test)]
     pub(super) fn chain(&self) -> Chain {

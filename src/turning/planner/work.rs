@@ -1,10 +1,11 @@
 //! The work in the machine: the contour to be kept, the jaws, and the stock that is left.
 
-use super::chain::{Chain, PIT_MM};
+use super::chain::{Chain, PIT_MM, Run};
 use super::hanging::Hanging;
 use super::outline::{Turn, one_way, upper_pieces};
 use super::piece::Piece;
 use super::shape::Shape;
+use super::surface::Surface;
 use super::tool::{Cutter, Use};
 use crate::geometry::{Point, Segment};
 use crate::machine::Machine;
@@ -34,15 +35,15 @@ pub(super) struct Work {
     /// The finished contour as a function.
     pub(super) part: Chain,
     /// What is in the machine now, below the ways of the tools.
-    pub(super) stock: Chain,
+    pub(super) stock: Surface,
     /// The top of all that is in the machine: a leaning edge leaves slivers that hang over what it cut.
-    pub(super) cover: Chain,
+    pub(super) cover: Surface,
     /// What hangs over.
     pub(super) hanging: Hanging,
     /// Jaws, mandrel and tailstock with the distance kept from them.
     pub(super) jaws: Chain,
     /// The same with the distance kept on ways through air.
-    pub(super) passed: Chain,
+    pub(super) passed: Surface,
     /// No stock is above this, mm.
     pub(super) highest: f64,
     /// Machined from here.
@@ -80,14 +81,16 @@ impl Work {
 
     /// The work of what is to be made, what it is made from and what holds it; `range`: machined from, free end.
     pub(super) fn of(part: Chain, stock: Chain, held: &Chain, range: (f64, f64), floor: f64) -> Self {
+        let highest = stock.top();
+        let stock = Surface::from(stock);
         Self {
             part,
             cover: stock.clone(),
-            highest: stock.highest(f64::NEG_INFINITY, f64::INFINITY),
+            highest,
             hanging: Hanging::default(),
             stock,
             jaws: Shape::disc(JAW_CLEARANCE_MM).over(held),
-            passed: Shape::disc(PASSING_MM).over(held),
+            passed: Shape::disc(PASSING_MM).over(held).into(),
             from_z: range.0,
             face_z: range.1,
             floor,
@@ -130,12 +133,12 @@ impl Work {
 
     /// True if there is stock more than `by` mm above what is kept; what is beside it counts.
     pub(super) fn has_above(&self, kept: &Chain, by: f64) -> bool {
-        self.stock.runs_over(kept, by).iter().any(|run| run.width() > PIT_MM)
+        self.stock.chain().runs_over(kept, by).iter().any(|run| run.width() > PIT_MM)
     }
 
     /// Position of the stock's free end.
     pub(super) fn end_z(&self) -> f64 {
-        self.stock.pieces.last().map_or(self.face_z, |p| p.z1)
+        self.stock.ends().map_or(self.face_z, |(_, end)| end)
     }
 
     /// How low a tool may go if `allowance` mm are left on the contour.
@@ -157,14 +160,14 @@ impl Work {
     fn bar(&self, cutter: &Cutter) -> Chain {
         if self.turned {
             let edge = self.face_z + cutter.nose + BESIDE_MM;
-            let bar = self.stock.clipped(edge, f64::INFINITY);
+            let bar = self.stock.between(edge, f64::INFINITY);
             return match bar.at(edge) {
                 Some(r) => bar.max(&Chain::level(edge - SLIVER_MM, edge, r)),
                 None => bar,
             };
         }
         let edge = self.from_z - cutter.nose - BESIDE_MM;
-        let bar = self.stock.clipped(f64::NEG_INFINITY, edge);
+        let bar = self.stock.between(f64::NEG_INFINITY, edge);
         match bar.at(edge) {
             Some(r) if cutter.r#use != Use::Right => bar.max(&Chain::level(edge, edge + SLIVER_MM, r)),
             _ => bar,
@@ -173,12 +176,12 @@ impl Work {
 
     /// How low a tool may go without touching the stock or what holds it.
     pub(super) fn air(&self, cutter: &Cutter) -> Chain {
-        cutter.body.over(&self.cover.max(&self.passed))
+        cutter.body.over(&self.cover.chain().max(&self.passed.chain()))
     }
 
     /// Where the programmed point may be over what is kept: up to the bar that stays, and beyond an end that is free.
     fn limited(&self, cutter: &Cutter, kept: &Chain) -> Limit {
-        let starts = self.stock.pieces.first().map_or(self.from_z, |p| p.z0).min(self.from_z);
+        let starts = self.stock.ends().map_or(self.from_z, |(start, _)| start).min(self.from_z);
         let ends = self.end_z().max(self.face_z);
         let beside = SLIVER_MM;
         let z0 = if !self.turned && starts < self.from_z - beside {
@@ -199,11 +202,10 @@ impl Work {
     /// Takes away what the insert of a tool covers along a segment; `low` is what it leaves below it, as [`left_along`] gives it.
     pub(super) fn take(&mut self, cutter: &Cutter, segment: &Segment, low: &Chain) {
         let high = covered_along(&cutter.top, segment);
-        let (Some(first), Some(last)) = (low.pieces.first(), low.pieces.last()) else { return };
-        let (z0, z1) = (first.z0, last.z1);
-        self.hanging.cut(low, &high, &self.stock);
-        self.stock.cut(low);
-        self.cover.replace(z0, z1, &self.hanging.top_over(self.stock.clipped(z0, z1), z0, z1));
+        let changed = [self.hanging.cut(low, &high, &self.stock), self.stock.cut(low)];
+        if let Some(Run { z0, z1 }) = changed.into_iter().flatten().reduce(Run::and) {
+            self.cover.replace(z0, z1, &self.hanging.top_over(self.stock.between(z0, z1), z0, z1));
+        }
     }
 
     /// What is left below a shape with its radius turned over whose reference point goes all along a function.

@@ -165,7 +165,7 @@ impl<'a> Inside<'a> {
         let end_z = outside.work.end_z();
         let work = &mut self.order.work;
         for chain in [&mut work.stock, &mut work.cover] {
-            *chain = chain.clipped(f64::NEG_INFINITY, end_z);
+            *chain = chain.ended_at(end_z);
         }
         work.hanging = work.hanging.clipped_at(end_z);
         self.order.edit = edit;
@@ -248,7 +248,7 @@ impl Order<'_> {
             return false;
         };
         let air = self.work.air(bar);
-        let behind = Shape::of([&outline.insert, &outline.holder], Turn::Both).over(&self.work.stock);
+        let behind = Shape::of([&outline.insert, &outline.holder], Turn::Both).over(&self.work.stock.chain());
         let height = |z: f64| air.highest(z, f64::INFINITY) + CLEARANCE_MM;
         let room = |z: f64| (2.0 * axis - behind.highest(z, f64::INFINITY) - BEHIND_MM).min(axis);
         let fits = |z: f64| height(z) <= room(z);

@@ -58,7 +58,7 @@ impl Order<'_> {
     fn tip(&self, bore: &Bore, seen: &ToolOutline) -> Option<f64> {
         let end = self.work.end_z();
         let kept = Shape::of([&seen.insert], Turn::Both).over(&self.work.part.max(&self.work.jaws));
-        let sleeve = Shape::grown(&seen.holder, Turn::Both, SLEEVE_MM).over(&self.work.stock);
+        let sleeve = Shape::grown(&seen.holder, Turn::Both, SLEEVE_MM).over(&self.work.stock.chain());
         let limit = kept.max(&sleeve).clipped(f64::NEG_INFINITY, end);
         let free = limit.runs_below(bore.axis + ROUNDING_MM).last().copied()?;
         let point = point(&seen.insert);
@@ -69,7 +69,7 @@ impl Order<'_> {
 
     /// True if there is solid material that the tip goes through.
     pub(super) fn is_solid(&self, bore: &Bore, tip: f64) -> bool {
-        let ahead = self.work.stock.clipped(tip.max(bore.from_z), f64::INFINITY);
+        let ahead = self.work.stock.between(tip.max(bore.from_z), f64::INFINITY);
         ahead.runs_above(bore.axis - SOLID_MM).iter().any(|run| run.width() > SHORTEST_MM)
     }
 

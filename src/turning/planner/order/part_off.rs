@@ -59,7 +59,7 @@ impl Order<'_> {
         let edge = outline.insert.bounds()?;
         let z = -edge.max.z;
         let holder = Shape::grown(&outline.holder, Turn::Both, HOLDER_CLEARANCE_MM);
-        let stock = self.work.stock.max(&self.work.jaws);
+        let stock = self.work.stock.chain().max(&self.work.jaws);
         // What stands beside the cut.
         let beside = stock.clipped(f64::NEG_INFINITY, z + edge.min.z).max(&stock.clipped(0.0, f64::INFINITY));
         let low = holder.over(&beside).at(z).unwrap_or(f64::NEG_INFINITY);
