@@ -220,33 +220,30 @@ impl Chain {
     /// later would show through it.
     pub(super) fn without_pits(mut self) -> Self {
         self.close_gaps();
-        let mut k = 0;
-        while k < self.pieces.len() {
-            let (Some(pit), before, after) = (
-                self.pieces.get(k).copied(),
-                k.checked_sub(1).and_then(|b| self.pieces.get(b)),
-                self.pieces.get(k + 1),
-            ) else {
-                break;
-            };
-            if pit.z1 - pit.z0 > PIT_MM {
-                k += 1;
+        let is_wide = |p: &Piece| p.z1 - p.z0 > PIT_MM;
+        if self.pieces.iter().all(is_wide) {
+            return self;
+        }
+        let mut kept: Vec<Piece> = Vec::with_capacity(self.pieces.len());
+        let mut rest = self.pieces.into_iter().peekable();
+        while let Some(pit) = rest.next() {
+            if is_wide(&pit) {
+                kept.push(pit);
                 continue;
             }
             let bottom = pit.at(f64::midpoint(pit.z0, pit.z1));
-            let left = before.filter(|b| pit.z0 - b.z1 <= SAME_MM).map(|b| b.at(b.z1)).filter(|r| *r > bottom);
-            let right = after.filter(|a| a.z0 - pit.z1 <= SAME_MM).map(|a| a.at(a.z0)).filter(|r| *r > bottom);
-            if left.is_none() && right.is_none() {
-                k += 1;
-                continue;
-            }
-            self.pieces.remove(k);
-            let side = if left >= right { self.pieces.get_mut(k.wrapping_sub(1)) } else { self.pieces.get_mut(k) };
-            if let Some(side) = side {
-                (side.z0, side.z1) = (side.z0.min(pit.z0), side.z1.max(pit.z1));
+            let (before, after) = (kept.last_mut(), rest.peek_mut());
+            let left = before.as_deref().filter(|b| pit.z0 - b.z1 <= SAME_MM).map(|b| b.at(b.z1));
+            let right = after.as_deref().filter(|a| a.z0 - pit.z1 <= SAME_MM).map(|a| a.at(a.z0));
+            let (left, right) = (left.filter(|r| *r > bottom), right.filter(|r| *r > bottom));
+            match if left >= right { before } else { after } {
+                Some(side) if left.or(right).is_some() => {
+                    (side.z0, side.z1) = (side.z0.min(pit.z0), side.z1.max(pit.z1));
+                }
+                _ => kept.push(pit),
             }
         }
-        self
+        Self { pieces: kept }
     }
 
     /// Lets the higher neighbour have every gap narrower than [`PIT_MM`].
