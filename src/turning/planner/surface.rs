@@ -217,3 +217,115 @@ impl Surface {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::Point;
+    use crate::machine::Catalog;
+    use crate::turning::planner::tool::Cutter;
+    use proptest::prelude::*;
+
+    /// A bar with a groove at every 0.1 mm, deeper and less deep, in many chunks.
+    fn grooved() -> Chain {
+        let r = |k: u32| 20.0 + f64::from(k * 7 % 11) / 10.0 + (f64::from(k) / 40.0).sin();
+        let at = |k: u32| Point::new(f64::from(k) / 10.0, r(k));
+        Chain { pieces: (0..400).map(|k| Piece::line(at(k), at(k + 1))).collect() }
+    }
+
+    /// What a tool might leave: down, level, up.
+    fn cut(z: f64, r: f64, width: f64) -> Chain {
+        let corners = [(z, r + 4.0), (z + 0.4 * width, r), (z + 0.7 * width, r), (z + width, r + 3.0)];
+        let points = corners.map(|(z, r)| Point::new(z, r));
+        Chain { pieces: points.windows(2).map(|w| Piece::line(w[0], w[1])).collect() }
+    }
+
+    fn cuts() -> impl Strategy<Value = Vec<Chain>> {
+        let one = (-2.0..40.0_f64, 17.0..22.0_f64, 0.05..15.0_f64).prop_map(|(z, r, width)| cut(z, r, width));
+        proptest::collection::vec(one, 1..30)
+    }
+
+    fn is_sound(surface: &Surface) -> bool {
+        let chunks = &surface.chunks;
+        chunks.windows(2).all(|w| w[0].z1 <= w[1].z0 + SAME_MM)
+            && chunks.iter().all(|c| {
+                (1..=MOST_PIECES).contains(&c.chain.pieces.len())
+                    && c.chain.ends() == Some((c.z0, c.z1))
+                    && c.top == c.chain.top()
+            })
+    }
+
+    /// Largest difference between two functions, mm; ∞ where only one of them has a value.
+    fn apart(a: &Chain, b: &Chain) -> f64 {
+        let places = (0..4000).map(|k| f64::from(k) * 0.010_007 + 1e-4);
+        let difference = |z: f64| match (a.at(z), b.at(z)) {
+            (Some(a), Some(b)) => (a - b).abs(),
+            (None, None) => 0.0,
+            _ => f64::INFINITY,
+        };
+        places.map(difference).fold(0.0, f64::max)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
+        #[test]
+        fn what_is_cut_in_chunks_is_cut_as_a_whole(cuts in cuts()) {
+            let (mut whole, mut surface) = (grooved(), Surface::from(grooved()));
+            for low in &cuts {
+                let before = surface.chain();
+                let taken = surface.cut(low);
+                whole.cut(low);
+                prop_assert!(is_sound(&surface));
+                prop_assert!(apart(&whole, &surface.chain()) < 1e-9);
+                let Run { z0, z1 } = taken.unwrap_or(Run { z0: f64::INFINITY, z1: f64::INFINITY });
+                for (from, to) in [(f64::NEG_INFINITY, z0), (z1, f64::INFINITY)] {
+                    prop_assert_eq!(apart(&before.clipped(from, to), &surface.between(from, to)), 0.0);
+                }
+            }
+            prop_assert_eq!(surface.mirrored().mirrored().chain(), surface.chain());
+        }
+
+        #[test]
+        fn what_a_look_passes_over_does_not_matter(cuts in cuts(), z in 0.0..35.0_f64, r in 17.0..24.0_f64) {
+            let mut surface = Surface::from(grooved());
+            cuts.iter().for_each(|low| _ = surface.cut(low));
+            let (whole, low) = (surface.chain(), cut(z, r, 5.0));
+            prop_assert!((surface.above(&low).area_over(&low) - whole.clipped(z, z + 5.0).area_over(&low)).abs() < 1e-9);
+            prop_assert_eq!(surface.rises_above(z, z + 5.0, r), whole.over(z, z + 5.0).iter().any(|p| p.highest() > r));
+            let higher = surface.higher(z, z + 5.0, r);
+            prop_assert_eq!(higher.runs_above(r + SAME_MM), whole.clipped(z, z + 5.0).runs_above(r + SAME_MM));
+            prop_assert_eq!(surface.highest(z, z + 5.0), whole.highest(z, z + 5.0));
+            let cutter = Cutter::new(1, &Catalog::shipped().tool("orac-right").unwrap().outline()).unwrap();
+            let way = Piece::line(Point::new(z, r), Point::new(z + 0.7, r + 0.3));
+            let floor = Chain { pieces: vec![way] };
+            let runs = |near: &Chain| cutter.guard.over_floor(near, way.z0, way.z1, &floor).runs_over(&floor, 1e-6);
+            let (found, expected) = (runs(&surface.reached(&cutter.guard, &way, r + cutter.guard_low)), runs(&whole));
+            prop_assert!(found.len() == expected.len(), "{found:?} {expected:?}");
+            for (a, b) in found.iter().zip(&expected) {
+                prop_assert!((a.z0 - b.z0).abs().max((a.z1 - b.z1).abs()) < 1e-6);
+            }
+        }
+
+        #[test]
+        fn a_stretch_is_replaced(z in -1.0..35.0_f64, width in 0.01..20.0_f64) {
+            let (mut whole, mut surface) = (grooved(), Surface::from(grooved()));
+            let by = Chain::level(z, z + width, 25.0);
+            whole.replace(z, z + width, &by);
+            surface.replace(z, z + width, &by);
+            prop_assert!(is_sound(&surface) && apart(&whole, &surface.chain()) < 1e-9);
+        }
+    }
+
+    #[test]
+    fn what_is_covered_stays_and_an_end_cut_to_the_axis_is_gone() {
+        let mut surface = Surface::from(grooved());
+        // Under a roof at 21 mm from 10 to 15 mm nothing comes off.
+        let (low, mut high) = (Chain::level(10.0, 20.0, 15.0), Chain::level(10.0, 15.0, 18.0));
+        high.push(Piece::level(15.0, 20.0, 30.0));
+        surface.uncover(&low, &high);
+        assert_eq!((surface.chain().at(12.55), surface.chain().at(17.55)), (grooved().at(12.55), Some(15.0)));
+        surface.cut(&Chain::level(30.0, 41.0, -0.5));
+        assert!(is_sound(&surface) && surface.ends().is_some_and(|(_, end)| (end - 30.0).abs() < 1e-9));
+    }
+}
