@@ -87,13 +87,21 @@ fn samples(segment: &Segment, from_z: f64) -> Vec<(Point, f64)> {
 }
 
 /// The edges of the stock.
-struct Border(Strips<(GridPoint, GridPoint)>);
+struct Border(Strips<Edge>);
+
+/// An edge on the grid and in mm.
+#[derive(Debug, Clone, Copy)]
+struct Edge {
+    on_grid: (GridPoint, GridPoint),
+    start: Point,
+    end: Point,
+}
 
 impl Border {
     fn of(stock: &Stock) -> Self {
-        let edge = |(a, b): (GridPoint, GridPoint)| {
-            let (from, to) = (from_grid(a).z, from_grid(b).z);
-            (from.min(to), from.max(to), (a, b))
+        let edge = |on_grid: (GridPoint, GridPoint)| {
+            let (start, end) = (from_grid(on_grid.0), from_grid(on_grid.1));
+            (start.z.min(end.z), start.z.max(end.z), Edge { on_grid, start, end })
         };
         let all: Vec<_> = stock.rings().iter().flat_map(|ring| edges(ring)).map(edge).collect();
         Self(Strips::of(&all))
@@ -103,13 +111,12 @@ impl Border {
     fn thickness_at(&self, p: Point) -> f64 {
         let on_grid = to_grid(p);
         let z = from_grid(on_grid).z;
-        if !above_odd(self.0.at(z).iter().copied(), on_grid) {
+        if !above_odd(self.0.at(z).iter().map(|edge| edge.on_grid), on_grid) {
             return 0.0;
         }
-        let nearest = self.0.nearest(z, |(a, b), nearest| {
-            let (a, b) = (from_grid(a), from_grid(b));
+        let nearest = self.0.nearest(z, |Edge { start, end, .. }, nearest| {
             // The edges on the axis are no surface.
-            if a.r.max(b.r) > 0.0 { distance_to_line(a, b, p) } else { nearest }
+            if start.r.max(end.r) > 0.0 { distance_to_line(start, end, p) } else { nearest }
         });
         if nearest.is_finite() { nearest } else { 0.0 }
     }

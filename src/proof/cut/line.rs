@@ -26,8 +26,12 @@ impl Line {
 
     /// Height at a position, grid units.
     pub(super) fn at(&self, x: i32) -> f64 {
-        if self.a.y == self.b.y {
+        // Lines are asked for at their points more often than not, and a division takes its time.
+        if x == self.a.x || self.a.y == self.b.y {
             return f64::from(self.a.y);
+        }
+        if x == self.b.x {
+            return f64::from(self.b.y);
         }
         let rise = f64::from(self.b.y) - f64::from(self.a.y);
         let run = f64::from(self.b.x) - f64::from(self.a.x);
