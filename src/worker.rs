@@ -104,6 +104,12 @@ impl Worker {
         self.shared.wake.notify_one();
     }
 
+    /// True while a document is regenerated.
+    #[cfg(test)]
+    pub(crate) fn is_running(&self) -> bool {
+        self.shared.lock().running.is_some()
+    }
+
     /// The outcomes since the last call, oldest first.
     pub fn outcomes(&self) -> impl Iterator<Item = Outcome> + '_ {
         self.outcomes.try_iter()
@@ -235,7 +241,7 @@ mod tests {
             || {},
         );
         worker.post(order("first"));
-        while worker.shared.lock().running.is_none() {
+        while !worker.is_running() {
             std::thread::yield_now();
         }
         worker.post(order("second"));

@@ -166,6 +166,9 @@ impl Session {
         let some = !outcomes.is_empty();
         for outcome in outcomes {
             match outcome {
+                // What follows from the document as it is is here already, as after an undo: nothing older may take its place.
+                Outcome::Done { derived, .. }
+                    if self.is_designed() && !Arc::ptr_eq(&derived.document, &self.document) => {}
                 Outcome::Done { derived, took } => {
                     self.fault = None;
                     self.took = took;
@@ -340,5 +343,62 @@ impl Session {
             return Verdict::Failed { errors: 1 };
         }
         Verdict::Proved { time_s: proofs().map(|p| p.times.total_s).sum(), blocks }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::storage;
+    use std::sync::Mutex;
+    use std::sync::mpsc::channel;
+
+    fn derived(document: &Arc<Document>) -> Derived {
+        Derived {
+            rolls: None,
+            complete: true,
+            shell: None,
+            document: Arc::clone(document),
+            machine: None,
+            material: None,
+            setups: Vec::new(),
+            diagnostics: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn after_an_undo_what_is_late_of_the_undone_document_is_not_shown() {
+        let example = &storage::examples()[0];
+        let document = storage::document_from_text(example.name, example.text).unwrap();
+        let ((gate, wait), (done, made)) = (channel::<()>(), channel::<()>());
+        let wait = Arc::new(Mutex::new(wait));
+        let make = move || -> Regenerate {
+            let wait = Arc::clone(&wait);
+            Box::new(move |order: &Order, _: &_, _: &mut _| {
+                wait.lock().unwrap().recv().unwrap();
+                Ok(derived(&order.document))
+            })
+        };
+        let mut session = Session::new(document, Origin::Fresh, make, move || _ = done.send(()));
+        let patience = Duration::from_secs(30);
+        let next = || {
+            gate.send(()).unwrap();
+            made.recv_timeout(patience).unwrap();
+        };
+        next();
+        assert!(session.receive() && session.is_current());
+        session.edit("another name", None, |document| document.name.push('2'));
+        // The work on the edit has begun when it is undone.
+        let start = Instant::now();
+        while !session.worker.is_running() {
+            assert!(start.elapsed() < patience);
+            std::thread::yield_now();
+        }
+        session.undo();
+        assert!(session.is_current());
+        next();
+        assert!(session.receive() && session.is_current(), "what came belongs to the edit");
+        next();
+        assert!(session.receive() && session.is_current());
     }
 }
