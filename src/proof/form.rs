@@ -2,6 +2,7 @@
 
 use super::input::{MayCut, Work};
 use super::strips::Strips;
+use super::tops::{Tops, radius_at};
 use crate::geometry::{Bounds, Point, Segment, Vector};
 use std::f64::consts::PI;
 
@@ -18,8 +19,7 @@ const MOST_SAMPLES: u32 = 64;
 pub(super) struct Form {
     /// Outside and bore.
     pieces: Strips<Piece>,
-    /// For every strip the largest radius that a piece in it reaches anywhere.
-    tops: Vec<f64>,
+    tops: Tops,
     may_cut: Vec<MayCut>,
     may_cut_inside: Vec<MayCut>,
 }
@@ -51,12 +51,11 @@ impl Form {
         };
         // What lies on the axis is no surface.
         let surface = segments.filter(|segment| segment.bounds().max.r > ON_AXIS_MM);
-        let pieces: Vec<_> = surface.flat_map(one_way).map(piece).collect();
-        let pieces = Strips::of(&pieces);
-        let top = |strip: &[Piece]| strip.iter().map(|piece| piece.bounds.max.r).fold(f64::NEG_INFINITY, f64::max);
+        let surface: Vec<Segment> = surface.flat_map(one_way).collect();
+        let pieces: Vec<_> = surface.iter().copied().map(piece).collect();
         Self {
-            tops: pieces.each(top),
-            pieces,
+            tops: Tops::of(&surface),
+            pieces: Strips::of(&pieces),
             may_cut: work.may_cut.clone(),
             may_cut_inside: bore.map_or_else(Vec::new, |b| b.may_cut.clone()),
         }
@@ -87,11 +86,11 @@ impl Form {
     /// the ends and those points are enough as long as one segment is nearest; samples between catch the rest.
     fn deepest_on_edge(&self, a: Point, b: Point, deepest: &mut Option<Depth>) {
         let reach = Bounds { min: a, max: a }.including(b);
-        if self.pieces.some_between(&self.tops, reach.min.z, reach.max.z).iter().all(|&top| top <= reach.min.r) {
+        if !self.tops.rise_above(reach.min.z, reach.max.z, reach.min.r) {
             return;
         }
         let mut look = |at: Point| {
-            if self.pieces.one_at(&self.tops, at.z).is_none_or(|&top| top <= at.r) {
+            if !self.tops.rise_above(at.z, at.z, at.r) {
                 return;
             }
             let mm = self.depth(at);
@@ -173,20 +172,6 @@ pub(super) fn distance_to_line(start: Point, end: Point, p: Point) -> f64 {
     let squared = along.norm_squared();
     let t = if squared > 0.0 { ((p - start).dot(&along) / squared).clamp(0.0, 1.0) } else { 0.0 };
     p.distance(start + along * t)
-}
-
-/// Radius of a one-way segment at a position between its ends.
-fn radius_at(segment: &Segment, z: f64) -> f64 {
-    match *segment {
-        Segment::Line { start, end } => start.r + (end.r - start.r) * (z - start.z) / (end.z - start.z),
-        Segment::Arc { start, end, center, ccw } => {
-            let radius = start.distance(center);
-            let height = (radius * radius - (z - center.z).powi(2)).max(0.0).sqrt();
-            // A counter-clockwise arc runs to smaller z above its centre and to larger z below it.
-            let upper = ccw == (end.z < start.z);
-            if upper { center.r + height } else { center.r - height }
-        }
-    }
 }
 
 /// Parts an arc where it turns back along z.

@@ -31,6 +31,7 @@ mod step;
 mod strips;
 mod structure;
 mod times;
+mod tops;
 
 pub use compare::{Change, compare};
 pub use cut::StockHistory;

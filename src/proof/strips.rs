@@ -39,28 +39,13 @@ impl<T: Copy> Strips<T> {
 
     /// What may lie at a position.
     pub(super) fn at(&self, z: f64) -> &[T] {
-        self.one_at(&self.lists, z).map_or(&[], Vec::as_slice)
-    }
-
-    /// Something about every strip, in their order.
-    pub(super) fn each<U>(&self, of: impl Fn(&[T]) -> U) -> Vec<U> {
-        self.lists.iter().map(|strip| of(strip)).collect()
-    }
-
-    /// What `of_each` says about the strip of a position; `None` behind the last strip.
-    pub(super) fn one_at<'u, U>(&self, of_each: &'u [U], z: f64) -> Option<&'u U> {
-        of_each.get(self.index(z))
-    }
-
-    /// What `of_each` says about the strips between two positions.
-    pub(super) fn some_between<'u, U>(&self, of_each: &'u [U], from: f64, to: f64) -> &'u [U] {
-        let end = (self.index(to) + 1).min(of_each.len());
-        of_each.get(self.index(from)..end).unwrap_or(&[])
+        self.lists.get(self.index(z)).map_or(&[], Vec::as_slice)
     }
 
     /// What may lie between two positions, strip by strip; what reaches over several strips comes several times.
     pub(super) fn between(&self, from: f64, to: f64) -> impl Iterator<Item = T> + '_ {
-        self.some_between(&self.lists, from, to).iter().flatten().copied()
+        let end = (self.index(to) + 1).min(self.lists.len());
+        self.lists.get(self.index(from)..end).unwrap_or(&[]).iter().flatten().copied()
     }
 
     /// The smallest distance from a position that `distance` finds, mm, the nearest strips first; infinite without items.
