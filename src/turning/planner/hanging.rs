@@ -3,6 +3,7 @@
 
 use super::chain::{Chain, Run};
 use super::surface::Surface;
+use std::cmp::Ordering;
 
 /// What is thinner than this everywhere is gone, mm: rounding.
 const GONE_MM: f64 = 1e-6;
@@ -41,6 +42,11 @@ impl Band {
 
     fn clipped(&self, z0: f64, z1: f64) -> Option<Self> {
         Self::of(self.low.clipped(z0, z1), self.high.clipped(z0, z1))
+    }
+
+    /// By where they begin; of those that begin together the lowest first.
+    fn order(&self, other: &Self) -> Ordering {
+        self.z0.total_cmp(&other.z0).then(self.bottom.total_cmp(&other.bottom))
     }
 
     /// True if what lies between two functions may take something of it.
@@ -116,17 +122,17 @@ impl Hanging {
         let changed = met.iter().chain(&now).map(|b| Run { z0: b.z0.max(z0), z1: b.z1.min(z1) }).reduce(Run::and);
         now.extend(met.iter().flat_map(|band| band.without(stretch, low, high)).chain(apart));
         self.widest = now.iter().map(|b| b.z1 - b.z0).fold(self.widest, f64::max);
-        now.sort_by(|a, b| a.z0.total_cmp(&b.z0));
+        now.sort_by(Band::order);
         self.put(near.start, now);
         changed
     }
 
     /// Puts bands in order at a place; one whose beginning was cut off may now begin behind its neighbours.
     fn put(&mut self, at: usize, bands: Vec<Band>) {
-        let behind = bands.last().zip(self.bands.get(at)).is_some_and(|(last, next)| last.z0 > next.z0);
+        let behind = bands.last().zip(self.bands.get(at)).is_some_and(|(last, next)| last.order(next).is_gt());
         self.bands.splice(at..at, bands);
         if behind {
-            self.bands.sort_by(|a, b| a.z0.total_cmp(&b.z0));
+            self.bands.sort_by(Band::order);
         }
     }
 
@@ -140,7 +146,7 @@ impl Hanging {
     pub(super) fn mirrored(&self) -> Self {
         let turned = |b: &Band| Band { z0: -b.z1, z1: -b.z0, low: b.low.mirrored(), high: b.high.mirrored(), ..*b };
         let mut bands: Vec<Band> = self.bands.iter().map(turned).collect();
-        bands.sort_by(|a, b| a.z0.total_cmp(&b.z0));
+        bands.sort_by(Band::order);
         Self { bands, widest: self.widest }
     }
 }
