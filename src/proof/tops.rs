@@ -12,7 +12,7 @@ const MOST: usize = 20_000;
 pub(super) struct Tops {
     first: f64,
     width: f64,
-    tops: Vec<f64>,
+    radii: Vec<f64>,
 }
 
 impl Tops {
@@ -21,11 +21,13 @@ impl Tops {
         let ends = segments.iter().flat_map(|s| [s.start().z, s.end().z]);
         let (first, last) = ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), z| (a.min(z), b.max(z)));
         let width = WIDTH_MM.max((last - first) / MOST as f64);
-        let mut tops = Self { first, width, tops: Vec::new() };
+        let mut tops = Self { first, width, radii: Vec::new() };
         if !segments.is_empty() {
-            tops.tops.resize(tops.index(last) + 1, f64::NEG_INFINITY);
+            tops.radii.resize(tops.index(last) + 1, f64::NEG_INFINITY);
         }
-        segments.iter().for_each(|segment| tops.add(segment));
+        for segment in segments {
+            tops.add(segment);
+        }
         tops
     }
 
@@ -35,7 +37,7 @@ impl Tops {
         for k in self.index(from)..=self.index(to) {
             let begin = self.first + self.width * k as f64;
             let top = top(segment, begin.clamp(from, to), (begin + self.width).clamp(from, to));
-            if let Some(known) = self.tops.get_mut(k) {
+            if let Some(known) = self.radii.get_mut(k) {
                 *known = known.max(top);
             }
         }
@@ -49,8 +51,8 @@ impl Tops {
 
     /// True if the form may reach above a radius somewhere between two positions.
     pub(super) fn rise_above(&self, from: f64, to: f64, r: f64) -> bool {
-        let end = (self.index(to) + 1).min(self.tops.len());
-        self.tops.get(self.index(from)..end).unwrap_or(&[]).iter().any(|&top| top > r)
+        let end = (self.index(to) + 1).min(self.radii.len());
+        self.radii.get(self.index(from)..end).unwrap_or(&[]).iter().any(|&top| top > r)
     }
 }
 
@@ -107,22 +109,17 @@ mod tests {
             let within = |s: &&Segment| s.start().z <= z && z <= s.end().z && s.start().z < s.end().z;
             let radius = form.iter().filter(within).map(|s| radius_at(s, z)).fold(f64::NEG_INFINITY, f64::max);
             prop_assert!(r >= radius || tops.rise_above(z - wide, z + wide, r));
-            // A stretch further on, the taper and the crown's flanks fall by no more than their slope asks.
-            let beside = [-WIDTH_MM, 0.0, WIDTH_MM].map(|dz| form.iter().map(|s| {
-                let at = (z + dz).clamp(s.start().z, s.end().z);
-                if (at - z - dz).abs() < 1e-9 && s.start().z < s.end().z { radius_at(s, at) } else { f64::NEG_INFINITY }
-            }).fold(f64::NEG_INFINITY, f64::max));
-            let highest = beside.into_iter().fold(f64::NEG_INFINITY, f64::max);
-            prop_assert!(!tops.rise_above(z, z, highest + 0.75), "{z}: {highest}");
         }
     }
 
     #[test]
-    fn a_cut_on_a_cylinder_is_not_below_it() {
+    fn what_is_cut_above_or_on_the_form_is_not_below_its_top() {
         let tops = Tops::of(&form());
-        assert!(!tops.rise_above(0.5, 1.5, 5.0) && tops.rise_above(0.5, 1.5, 4.999_999));
-        assert!(tops.rise_above(-3.0, 0.05, 4.9) && !tops.rise_above(17.0, 20.0, 0.0));
-        assert!((7.0 - 1e-9..7.0).contains(&7.0_f64.next_down()) && tops.rise_above(8.0, 10.0, 7.0_f64.next_down()));
-        assert!(!Tops::of(&[]).rise_above(0.0, 1.0, 0.0));
+        assert!(!tops.rise_above(0.5, 1.5, 5.0) && tops.rise_above(0.5, 1.5, 4.999_999), "on the cylinder");
+        // The taper falls by 0.025 mm in a stretch.
+        assert!(!tops.rise_above(4.0, 4.0, 4.526) && tops.rise_above(4.0, 4.0, 4.499));
+        assert!(!tops.rise_above(8.0, 10.0, 7.0) && tops.rise_above(8.0, 10.0, 6.999), "the crown");
+        assert!(tops.rise_above(-3.0, 0.05, 4.9), "the wall");
+        assert!(!tops.rise_above(17.0, 20.0, 0.0) && !Tops::of(&[]).rise_above(0.0, 1.0, 0.0), "beyond the form");
     }
 }

@@ -65,7 +65,9 @@ impl Surface {
     pub(super) fn between(&self, z0: f64, z1: f64) -> Chain {
         let chunks = self.over(z0, z1);
         let mut pieces = Vec::with_capacity(chunks.iter().map(|chunk| chunk.chain.pieces.len()).sum());
-        chunks.iter().for_each(|chunk| pieces.extend(chunk.between(z0, z1)));
+        for chunk in chunks {
+            pieces.extend(chunk.between(z0, z1));
+        }
         Chain { pieces }
     }
 
@@ -289,7 +291,9 @@ mod tests {
         #[test]
         fn what_a_look_passes_over_does_not_matter(cuts in cuts(), z in 0.0..35.0_f64, r in 17.0..24.0_f64) {
             let mut surface = Surface::from(grooved());
-            cuts.iter().for_each(|low| _ = surface.cut(low));
+            for low in &cuts {
+                surface.cut(low);
+            }
             let (whole, low) = (surface.chain(), cut(z, r, 5.0));
             prop_assert!((surface.above(&low).area_over(&low) - whole.clipped(z, z + 5.0).area_over(&low)).abs() < 1e-9);
             prop_assert_eq!(surface.rises_above(z, z + 5.0, r), whole.over(z, z + 5.0).iter().any(|p| p.highest() > r));
